@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/geometry/lattice.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace traverse::layers
+{
+/** One named quantity per cell, row-major from the cell of smallest x and y; unknown is NaN in
+ * floating layers and the layer's own code (0 = undefined) in class layers. */
+struct Layer
+{
+  std::string name;  //!< also the file's name: "traversability_class"
+  std::string unit;  //!< "m", "deg", "1" ...
+  std::variant<std::vector<uint8_t>, std::vector<uint32_t>, std::vector<float>, std::vector<double>>
+      data;
+};
+
+/** A colour of pictures and legends. */
+struct Colour
+{
+  uint8_t r = 0, g = 0, b = 0;
+};
+
+/** Meaning and colour of one code of a class layer. */
+struct LegendEntry
+{
+  uint8_t code = 0;
+  std::string name;
+  Colour colour;
+};
+
+/** Layers on one geometry: what a map shows of itself to pictures, files and the navigator. */
+struct LayerSet
+{
+  geometry::Lattice lattice;
+  geometry::CellRect extent;  //!< which cells the rows and columns are
+  std::vector<Layer> layers;
+  std::string class_layer;  //!< name of the layer that pictures show
+  std::vector<LegendEntry> legend;
+
+  /** nullptr where there is no such layer. */
+  const Layer* find(std::string_view name) const;
+
+  size_t size() const
+  {
+    return static_cast<size_t>(extent.width()) * static_cast<size_t>(extent.height());
+  }
+};
+}  // namespace traverse::layers

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/layers/layer_set.h>
+#include <traverse/points/scan.h>
+#include <traverse/poses/pose_track.h>
+
+#include <optional>
+
+namespace traverse::layers
+{
+/** What one scan did to a map. A scan is one transaction: all of it or nothing. */
+struct UpdateStats
+{
+  bool inserted = false;       //!< the map changed
+  bool no_pose = false;        //!< skipped: no valid pose at the scan's time
+  uint64_t points = 0;         //!< added
+  uint64_t outside = 0;        //!< points beyond the map's extent or range limits
+  uint64_t touched_cells = 0;  //!< cells that got a point
+};
+
+/** A map that takes decoded, deskewed scans. The apps cast what MRPT's map factory made to this. */
+class ScanConsumer
+{
+ public:
+  virtual ~ScanConsumer() = default;
+
+  /** Adds a deskewed scan at the track's pose for its stamp. */
+  virtual UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) = 0;
+
+  /** The map's layers in a window (all of it by default; cells outside the map are unknown). */
+  virtual LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const = 0;
+
+  /** The map as a checked, versioned, deterministic byte string (formats/archive.h). */
+  virtual std::string archive() const = 0;
+};
+}  // namespace traverse::layers

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/lattice.h>
+#include <traverse/poses/pose_track.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace traverse::poses
+{
+namespace
+{
+constexpr double kRotationTolerance =
+    1e-6;  // R^T R against I: far above rounding, far below a real fault
+
+bool isUsable(const Eigen::Isometry3d& T)
+{
+  const Eigen::Matrix3d R = T.linear();
+  return T.matrix().allFinite() && T.translation().cwiseAbs().maxCoeff() <= geometry::kFarthest_m &&
+         (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <
+             kRotationTolerance &&
+         R.determinant() > 0;
+}
+
+/** A motion that the vehicle cannot make in the time between the two. */
+bool isJump(const StampedPose& a, const StampedPose& b, const TrackLimits& limits)
+{
+  constexpr double kSlack_m = 0.05;  // pose noise of a robot that stands still
+  constexpr double kSlackDeg = 2.0;
+  const double dt = secondsBetween(a.time, b.time);
+  const Eigen::Isometry3d T_a_b = a.T_map_base.inverse() * b.T_map_base;
+  const double turn_deg = Eigen::AngleAxisd(T_a_b.linear()).angle() * 180.0 / std::numbers::pi;
+  return T_a_b.translation().norm() > limits.max_speed_mps * dt + kSlack_m ||
+         turn_deg > std::min(limits.max_turn_dps * dt, 180.0) + kSlackDeg;
+}
+}  // namespace
+
+PoseTrack::PoseTrack(std::vector<StampedPose> poses, const TrackLimits& limits) : limits_(limits)
+{
+  const auto bad = std::remove_if(
+      poses.begin(), poses.end(), [](const StampedPose& p) { return !isUsable(p.T_map_base); });
+  report_.nonfinite = static_cast<size_t>(poses.end() - bad);
+  poses.erase(bad, poses.end());
+  for (size_t i = 1; i < poses.size(); ++i)
+  {
+    report_.backward += static_cast<size_t>(poses[i].time < poses[i - 1].time);
+  }
+
+  const auto earlier = [](const StampedPose& a, const StampedPose& b) { return a.time < b.time; };
+  const auto same_time = [](const StampedPose& a, const StampedPose& b)
+  { return a.time == b.time; };
+  std::stable_sort(poses.begin(), poses.end(), earlier);
+  const auto repeated = std::unique(poses.begin(), poses.end(), same_time);
+  report_.repeated = static_cast<size_t>(poses.end() - repeated);
+  poses.erase(repeated, poses.end());
+
+  poses_ = std::move(poses);
+  segment_.assign(poses_.size(), 0);
+  for (size_t i = 1; i < poses_.size(); ++i)
+  {
+    segment_[i] = segment_[i - 1] + static_cast<int>(isJump(poses_[i - 1], poses_[i], limits_));
+    report_.gaps += static_cast<size_t>(
+        secondsBetween(poses_[i - 1].time, poses_[i].time) > limits_.max_pose_age_s);
+  }
+  report_.poses = poses_.size();
+  report_.segments = poses_.empty() ? 0 : static_cast<size_t>(segment_.back()) + 1;
+}
+
+PoseTrack PoseTrack::constant(const Eigen::Isometry3d& T_map_base)
+{
+  PoseTrack track;
+  track.poses_ = {{0, T_map_base}};
+  track.segment_ = {0};
+  track.report_.poses = 1;
+  track.report_.segments = 1;
+  track.constant_ = true;
+  return track;
+}
+
+std::optional<TrackedPose> PoseTrack::at(TimeNs time) const
+{
+  if (poses_.empty())
+  {
+    return std::nullopt;
+  }
+  if (constant_)
+  {
+    return TrackedPose{poses_.front().T_map_base, PoseQuality::held, 0};
+  }
+
+  const auto after = std::lower_bound(
+      poses_.begin(), poses_.end(), time,
+      [](const StampedPose& p, TimeNs t) { return p.time < t; });
+  const auto b = static_cast<size_t>(after - poses_.begin());
+  if (b < poses_.size() && poses_[b].time == time)
+  {
+    return TrackedPose{poses_[b].T_map_base, PoseQuality::interpolated, segment_[b]};
+  }
+  if (b == 0)
+  {
+    return beyondEnd(0, time);
+  }
+  const size_t a = b - 1;
+  if (b == poses_.size())
+  {
+    return beyondEnd(a, time);
+  }
+  const double gap_s = secondsBetween(poses_[a].time, poses_[b].time);
+  const double from_a_s = secondsBetween(poses_[a].time, time);
+  if (segment_[a] != segment_[b] || gap_s > limits_.max_pose_age_s)
+  {
+    return beyondEnd(from_a_s <= gap_s / 2 ? a : b, time);
+  }
+  return TrackedPose{
+      interpolate(poses_[a].T_map_base, poses_[b].T_map_base, from_a_s / gap_s),
+      PoseQuality::interpolated, segment_[a]};
+}
+
+std::optional<TrackedPose> PoseTrack::beyondEnd(size_t nearest, TimeNs time) const
+{
+  const StampedPose& end = poses_[nearest];
+  const double away_s = secondsBetween(end.time, time);
+  if (std::abs(away_s) > limits_.max_pose_age_s)
+  {
+    return std::nullopt;
+  }
+  // The neighbour on the far side of `end` gives the velocity, if it is near enough and of its
+  // segment.
+  const bool has_neighbour = away_s > 0 ? nearest > 0 : nearest + 1 < poses_.size();
+  if (has_neighbour)
+  {
+    const size_t neighbour = away_s > 0 ? nearest - 1 : nearest + 1;
+    const double step_s = secondsBetween(poses_[neighbour].time, end.time);
+    if (segment_[neighbour] == segment_[nearest] && std::abs(step_s) <= limits_.max_pose_age_s)
+    {
+      const double fraction = 1 + away_s / step_s;
+      return TrackedPose{
+          interpolate(poses_[neighbour].T_map_base, end.T_map_base, fraction),
+          PoseQuality::extrapolated, segment_[nearest]};
+    }
+  }
+  return TrackedPose{end.T_map_base, PoseQuality::held, segment_[nearest]};
+}
+
+Eigen::Isometry3d interpolate(
+    const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double fraction)
+{
+  // Rotation and translation apart, in the frame of a: for the small steps between stamped poses
+  // the difference to the exact screw motion is below step * turn^2 / 12 (1 m, 5 deg: 0.6 mm at
+  // most).
+  const Eigen::Isometry3d T_a_b = a.inverse() * b;
+  const Eigen::AngleAxisd turn(T_a_b.linear());
+  Eigen::Isometry3d part = Eigen::Isometry3d::Identity();
+  part.linear() = Eigen::AngleAxisd(turn.angle() * fraction, turn.axis()).toRotationMatrix();
+  part.translation() = T_a_b.translation() * fraction;
+  return a * part;
+}
+}  // namespace traverse::poses
