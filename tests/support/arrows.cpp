@@ -121,7 +121,7 @@ Arrows Arrows::read(const fs::path& file)
     for (std::string name; used >> name;)
     {
       const Room& other = arrows.rooms.at(name);  // a room uses those above it only
-      room.rooms.insert(other.rooms.begin(), other.rooms.end());
+      room.rooms.insert(name);
       room.libraries.insert(other.libraries.begin(), other.libraries.end());
     }
     std::istringstream libraries(match[3].str());
