@@ -48,7 +48,9 @@ std::string roomOf(const fs::path& relative)
   std::vector<std::string> parts(relative.begin(), relative.end());
   if (parts.at(0) == "apps")
   {
-    return parts.at(1).substr(std::string("traverse-").size()) + "_app";
+    const std::string prefix = "traverse-";
+    const bool prefixed = parts.at(1).rfind(prefix, 0) == 0;
+    return (prefixed ? parts.at(1).substr(prefix.size()) : parts.at(1)) + "_app";
   }
   const bool shell = parts.at(1) == "maps" && parts.at(3) == "mrpt";
   return shell ? "plugin" : parts.at(2);
