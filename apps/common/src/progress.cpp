@@ -45,7 +45,8 @@ void Progress::show(double fraction, uint64_t done)
     return;
   }
   last_ = Clock::now();
-  fmt::print(stderr, terminal_ ? "\r{}\033[K" : "{}\n", line(fraction, done));
+  fmt::print(
+      stderr, "{}{}{}", terminal_ ? "\r" : "", line(fraction, done), terminal_ ? "\033[K" : "\n");
   std::fflush(stderr);
 }
 

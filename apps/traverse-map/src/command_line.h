@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/common_app/exit_code.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace traverse::app
+{
+/** What the user asked for. */
+struct Command
+{
+  std::filesystem::path config;
+  std::string rawlog;  //!< instead of the ini's
+  std::string output;  //!< instead of the ini's
+  std::vector<std::string> assignments;  //!< --set section.key=value
+  bool check_config = false;
+  bool print_defaults = false;
+  bool print_options = false;
+  bool force = false;
+  bool quiet = false;
+};
+
+/** Parses argv. Returns the command, or the exit code where nothing is left to do (--help, --version,
+ * wrong usage; the text is printed, help on stdout and complaints on stderr). */
+struct ParsedCommand
+{
+  std::optional<Command> command;
+  ExitCode exit_code = ExitCode::done;
+};
+
+ParsedCommand parseCommandLine(int argc, const char* const* argv);
+}  // namespace traverse::app

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/options/option.h>
+
+#include <string>
+
+namespace traverse::app
+{
+/** Section [traverse-map]. */
+struct RunParams
+{
+  std::string rawlog;
+  std::string output;
+  std::string title;
+  bool deskew = true;
+  int max_scans = 0;
+  double snapshot_every_s = 0;
+  int picture_width_px = 1200;
+  bool scene = true;
+};
+
+template <class P, class F>
+void visitRunParams(P& p, F&& f)
+{
+  using options::Option;
+  f(Option{"rawlog", "the log to read; relative names start at the ini's folder"}, p.rawlog);
+  f(Option{"output", "the folder to write; relative names start at the working folder"}, p.output);
+  f(Option{"title", "headline of the report; empty: the log's name"}, p.title);
+  f(Option{"deskew", "place every point with the pose at its own time"}, p.deskew);
+  f(Option{"max_scans", "stop after so many scans; 0 = all", {0, 1e9}}, p.max_scans);
+  f(Option{"snapshot_every_s", "a picture of the map every so many seconds of the log; 0 = only at the end", {0, 1e6}},
+    p.snapshot_every_s);
+  f(Option{"picture_width_px", "width of pictures, pixels", {200, 8000}}, p.picture_width_px);
+  f(Option{"scene", "write the 3-D view for SceneViewer3D (map.3Dscene)"}, p.scene);
+}
+
+template <class F>
+void visit(RunParams& p, F&& f)
+{
+  visitRunParams(p, f);
+}
+
+template <class F>
+void visit(const RunParams& p, F&& f)
+{
+  visitRunParams(p, f);
+}
+}  // namespace traverse::app

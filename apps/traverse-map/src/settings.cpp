@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "settings.h"
+
+#include "wanted_maps.h"
+
+#include <traverse/config/strict.h>
+
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+namespace
+{
+using config::ConfigError;
+using config::Entry;
+using config::sameName;
+
+const std::vector<std::string>& ownSections()
+{
+  static const std::vector<std::string> kSections = {
+      "traverse-map", "Vehicle", "Poses", "Sensors", "Log", "Maps"};
+  return kSections;
+}
+
+bool isOwn(const std::string& section)
+{
+  for (const std::string& own : ownSections())
+  {
+    if (sameName(own, section))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** A section that a map which is counted in [Maps] reads. */
+bool isOfAWantedMap(const std::string& section, const std::vector<WantedMap>& maps)
+{
+  for (const WantedMap& map : maps)
+  {
+    for (const std::string& own : mapSections(map))
+    {
+      if (sameName(own, section))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/** [Maps_<map>_...] of a stock map: which sections it reads is MRPT's business. */
+bool isOfAStockMap(const std::string& section, const std::vector<WantedMap>& maps)
+{
+  for (const WantedMap& map : maps)
+  {
+    const std::string prefix = fmt::format("Maps_{}_", map.name);
+    if (section.size() > prefix.size() && sameName(section.substr(0, prefix.size()), prefix))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+const Entry& firstEntry(const config::IniDocument& ini, const std::string& section)
+{
+  for (const Entry& e : ini.entries())
+  {
+    if (sameName(e.section, section))
+    {
+      return e;
+    }
+  }
+  throw std::logic_error("a section without entries");
+}
+
+void checkSections(Settings& settings, const std::vector<WantedMap>& stock)
+{
+  for (const std::string& section : settings.ini.sections())
+  {
+    if (isOwn(section) || isOfAWantedMap(section, settings.maps))
+    {
+      continue;
+    }
+    const std::string place = firstEntry(settings.ini, section).place;
+    if (isOfAStockMap(section, stock))
+    {
+      settings.warnings.push_back(fmt::format("{}: [{}] belongs to a stock MRPT map: not checked", place, section));
+      continue;
+    }
+    std::vector<std::string> known = ownSections();
+    for (const WantedMap& map : settings.maps)
+    {
+      const auto more = mapSections(map);
+      known.insert(known.end(), more.begin(), more.end());
+    }
+    const std::string near = options::nearest(section, known);
+    throw ConfigError(fmt::format(
+        "{}: unknown section [{}]; {}", place, section,
+        near.empty() ? fmt::format("known: [{}]", fmt::join(known, "], [")) : "did you mean [" + near + "]?"));
+  }
+}
+
+/** Relative names of the ini start at its folder; those of the command line at the working folder. */
+std::filesystem::path inputFile(const Settings& settings, const Command& command)
+{
+  const Entry* entry = settings.ini.find("traverse-map", "rawlog");
+  const bool from_ini = command.rawlog.empty() && entry != nullptr && entry->place.rfind("--set", 0) != 0;
+  const std::filesystem::path file = command.rawlog.empty() ? settings.run.rawlog : command.rawlog;
+  return from_ini && file.is_relative() && !file.empty() ? settings.ini.folder() / file : file;
+}
+}  // namespace
+
+Settings loadSettings(const Command& command)
+{
+  Settings settings;
+  settings.ini = config::IniDocument::fromFile(command.config);
+  for (const std::string& assignment : command.assignments)
+  {
+    settings.ini.set(assignment);
+  }
+  config::load(settings.ini, "traverse-map", settings.run);
+  config::load(settings.ini, "Vehicle", settings.vehicle);
+  config::load(settings.ini, "Poses", settings.poses);
+  config::load(settings.ini, "Sensors", settings.sensors);
+  config::load(settings.ini, "Log", settings.log);
+  if (!settings.poses.file.empty() && std::filesystem::path(settings.poses.file).is_relative())
+  {
+    settings.poses.file = settings.ini.folder() / settings.poses.file;
+  }
+  if (!settings.poses.times_file.empty() && std::filesystem::path(settings.poses.times_file).is_relative())
+  {
+    settings.poses.times_file = settings.ini.folder() / settings.poses.times_file;
+  }
+
+  std::vector<WantedMap> stock;
+  readWantedMaps(settings, stock);
+  checkSections(settings, stock);
+  settings.rawlog = inputFile(settings, command);
+  settings.output = command.output.empty() ? settings.run.output : command.output;
+  return settings;
+}
+}  // namespace traverse::app

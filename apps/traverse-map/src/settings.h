@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "command_line.h"
+#include "run_params.h"
+
+#include <traverse/config/ini_document.h>
+#include <traverse/geometry/vehicle.h>
+#include <traverse/logs/log_params.h>
+#include <traverse/observations/observation_params.h>
+#include <traverse/plugin/schemas.h>
+#include <traverse/poses/pose_source.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace traverse::app
+{
+/** A map that the ini asks for: `name`_count = count in section [Maps]. */
+struct WantedMap
+{
+  std::string name;  //!< as in the ini
+  int count = 0;
+};
+
+/** Everything a run needs, checked. */
+struct Settings
+{
+  config::IniDocument ini;
+  RunParams run;
+  geometry::Vehicle vehicle;
+  poses::PoseParams poses;
+  observations::ObservationParams sensors;
+  logs::LogParams log;
+  std::vector<WantedMap> maps;
+  std::vector<std::string> warnings;
+  std::filesystem::path rawlog;
+  std::filesystem::path output;
+};
+
+/** Reads and checks the ini, `--set` and the other overrides applied. Throws config::ConfigError with
+ * file:line. Sections of stock MRPT maps are left to MRPT, with a warning. */
+Settings loadSettings(const Command& command);
+
+/** An ini with every key of the app and of every map at its default. */
+std::string defaultsIni();
+
+/** The same as Markdown tables with type, allowed values and meaning. */
+std::string optionTables();
+}  // namespace traverse::app

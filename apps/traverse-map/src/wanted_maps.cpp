@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wanted_maps.h"
+
+#include <traverse/config/strict.h>
+
+#include <mrpt/maps/TMetricMapTypesRegistry.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace traverse::app
+{
+namespace
+{
+using config::ConfigError;
+using config::sameName;
+
+constexpr std::string_view kCount = "_count";
+
+std::vector<std::string> ownNames()
+{
+  std::vector<std::string> names;
+  for (const plugin::MapSchema& schema : plugin::mapSchemas())
+  {
+    names.push_back(schema.name);
+  }
+  return names;
+}
+
+bool isOneOf(const std::string& name, const std::vector<std::string>& names)
+{
+  return std::any_of(names.begin(), names.end(), [&](const std::string& n) { return sameName(n, name); });
+}
+
+std::vector<std::string> stockNames()
+{
+  std::vector<std::string> names;
+  for (const auto& [name, functions] : mrpt::maps::internal::TMetricMapTypesRegistry::Instance().getAllRegistered())
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
+int countOf(const config::Entry& entry)
+{
+  int count = 0;
+  try
+  {
+    options::parse({entry.key, "", {0, 16}}, entry.value, count);
+  }
+  catch (const options::OptionError& e)
+  {
+    throw ConfigError(fmt::format("{}: [Maps] {}", entry.place, e.what()));
+  }
+  return count;
+}
+
+[[noreturn]] void refuse(const config::Entry& entry)
+{
+  std::vector<std::string> keys;
+  for (const std::string& name : ownNames())
+  {
+    keys.push_back(name + std::string(kCount));
+  }
+  std::vector<std::string> lower(keys.size());
+  const std::string near = options::nearest(entry.key, keys);
+  throw ConfigError(fmt::format(
+      "{}: [Maps] unknown key '{}'; {}", entry.place, entry.key,
+      near.empty() ? fmt::format("known: {}", fmt::join(keys, ", ")) : fmt::format("did you mean '{}'?", near)));
+}
+}  // namespace
+
+void readWantedMaps(Settings& settings, std::vector<WantedMap>& stock)
+{
+  for (const config::Entry& entry : settings.ini.entries())
+  {
+    if (!sameName(entry.section, "Maps"))
+    {
+      continue;
+    }
+    const size_t stem = entry.key.size() > kCount.size() ? entry.key.size() - kCount.size() : 0;
+    if (stem == 0 || !sameName(entry.key.substr(stem), kCount))
+    {
+      refuse(entry);
+    }
+    const WantedMap map{entry.key.substr(0, stem), countOf(entry)};
+    if (isOneOf(map.name, ownNames()))
+    {
+      settings.maps.push_back(map);
+    }
+    else if (isOneOf(map.name, stockNames()))
+    {
+      stock.push_back(map);
+      settings.warnings.push_back(fmt::format(
+          "{}: {} is a stock MRPT map: left to MRPT's own programs, not built here", entry.place, map.name));
+    }
+    else
+    {
+      refuse(entry);
+    }
+  }
+  const bool any =
+      std::any_of(settings.maps.begin(), settings.maps.end(), [](const WantedMap& m) { return m.count > 0; });
+  if (!any)
+  {
+    throw ConfigError(fmt::format(
+        "[Maps] asks for no map; write e.g. {}_count = 1", ownNames().empty() ? "?" : ownNames().front()));
+  }
+}
+
+std::vector<std::string> mapSections(const WantedMap& map)
+{
+  std::vector<std::string> sections;
+  for (const plugin::MapSchema& schema : plugin::mapSchemas())
+  {
+    if (!sameName(schema.name, map.name))
+    {
+      continue;
+    }
+    for (int i = 0; i < map.count; ++i)
+    {
+      for (const plugin::SectionSchema& section : schema.sections)
+      {
+        sections.push_back(fmt::format("Maps_{}_{:02}_{}", map.name, i, section.suffix));
+      }
+    }
+  }
+  return sections;
+}
+}  // namespace traverse::app
