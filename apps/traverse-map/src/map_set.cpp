@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "map_set.h"
+
+#include <mrpt/config/CConfigFileMemory.h>
+
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+namespace
+{
+using config::ConfigError;
+
+/** The maps of one name, as MRPT's factory makes them from its `name_count` key. */
+std::vector<mrpt::maps::CMetricMap::Ptr> make(const WantedMap& wanted, const Settings& settings)
+{
+  config::IniDocument only = settings.ini;
+  for (const config::Entry& entry : settings.ini.entries())
+  {
+    if (config::sameName(entry.section, "Maps"))
+    {
+      const bool this_one = config::sameName(entry.key, wanted.name + "_count");
+      only.set(fmt::format("Maps.{}={}", entry.key, this_one ? wanted.count : 0));
+    }
+  }
+  mrpt::maps::TSetOfMetricMapInitializers initializers;
+  initializers.loadFromConfigFile(mrpt::config::CConfigFileMemory(only.text()), "Maps");
+  mrpt::maps::CMultiMetricMap made;
+  made.setListOfMaps(initializers);
+  return {made.maps.begin(), made.maps.end()};
+}
+
+/** Adds file and line to an error of a map's own reader, which sees section and key only. */
+[[noreturn]] void rethrowWithPlace(const ConfigError& e, const config::IniDocument& ini)
+{
+  const config::Entry* entry = ini.find(e.section(), e.key());
+  throw ConfigError(
+      entry == nullptr ? std::string(e.what()) : fmt::format("{}: {}", entry->place, e.what()), e.section(),
+      e.key());
+}
+}  // namespace
+
+std::vector<BuiltMap> buildMaps(const Settings& settings)
+{
+  std::vector<BuiltMap> built;
+  for (const WantedMap& wanted : settings.maps)
+  {
+    try
+    {
+      const auto maps = make(wanted, settings);
+      for (size_t i = 0; i < maps.size(); ++i)
+      {
+        auto* consumer = dynamic_cast<layers::ScanConsumer*>(maps[i].get());
+        if (consumer != nullptr)
+        {
+          built.push_back({wanted.name, i == 0 ? "" : fmt::format("_{:02}", i), maps[i], consumer});
+        }
+      }
+      if (maps.size() != static_cast<size_t>(wanted.count))
+      {
+        throw ConfigError(fmt::format(
+            "[Maps] asks for {} {}, and MRPT's factory made {}", wanted.count, wanted.name, maps.size()));
+      }
+    }
+    catch (const ConfigError& e)
+    {
+      rethrowWithPlace(e, settings.ini);
+    }
+  }
+  size_t asked = 0;
+  for (const WantedMap& wanted : settings.maps)
+  {
+    asked += static_cast<size_t>(wanted.count);
+  }
+  if (built.size() != asked)
+  {
+    throw ConfigError(fmt::format("[Maps] asks for {} maps, {} take scans", asked, built.size()));
+  }
+  return built;
+}
+}  // namespace traverse::app

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "metrics.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sys/resource.h>
+
+namespace traverse::app
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+template <class Pairs>
+Json object(const Pairs& pairs)
+{
+  Json all = Json::object();
+  for (const auto& [key, value] : pairs)
+  {
+    all[key] = value;
+  }
+  return all;
+}
+
+Json rejectsOf(const points::RejectCounts& counts)
+{
+  Json all = Json::object();
+  for (size_t i = 0; i < points::kRejectCount; ++i)
+  {
+    all[std::string(points::kRejectNames[i])] = counts.count[i];
+  }
+  return all;
+}
+
+double totalSeconds(const RunMetrics& metrics)
+{
+  double total = 0;
+  for (const auto& [stage, seconds] : metrics.times.seconds())
+  {
+    total += seconds;
+  }
+  return total;
+}
+
+Json mapsOf(const RunMetrics& metrics)
+{
+  Json maps = Json::array();
+  for (const MapMetrics& map : metrics.maps)
+  {
+    maps.push_back(
+        {{"name", map.name},
+         {"scans", map.scans},
+         {"scans_without_pose", map.scans_no_pose},
+         {"points", map.points},
+         {"points_outside", map.outside},
+         {"cells_by_class", object(map.cells_by_class)}});
+  }
+  return maps;
+}
+}  // namespace
+
+void StageTimes::add(const std::string& stage, double seconds)
+{
+  const auto found =
+      std::find_if(seconds_.begin(), seconds_.end(), [&](const auto& entry) { return entry.first == stage; });
+  if (found == seconds_.end())
+  {
+    seconds_.emplace_back(stage, seconds);
+  }
+  else
+  {
+    found->second += seconds;
+  }
+}
+
+double peakMemory_mb()
+{
+  double kilobytes = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN})
+  {
+    rusage usage{};
+    getrusage(who, &usage);
+    kilobytes = std::max(kilobytes, static_cast<double>(usage.ru_maxrss));
+  }
+  return kilobytes / 1024.0;
+}
+
+std::string toJson(const RunMetrics& metrics)
+{
+  const double total_s = totalSeconds(metrics);
+  const Json json = {
+      {"traverse_version", TRAVERSE_VERSION},
+      {"rawlog", metrics.rawlog},
+      {"complete", metrics.complete},
+      {"problems", metrics.problems},
+      {"warnings", metrics.warnings},
+      {"objects", metrics.objects},
+      {"observations", object(metrics.observations)},
+      {"not_used", object(metrics.ignored)},
+      {"rejects", rejectsOf(metrics.rejects)},
+      {"stamps", {{"repeated", metrics.repeated_stamps}, {"backward", metrics.backward_stamps}}},
+      {"scans", metrics.scans},
+      {"points", metrics.points},
+      {"pose_source", metrics.pose_source},
+      {"poses", object(metrics.poses)},
+      {"pose_quality", object(metrics.pose_quality)},
+      {"deskew", object(metrics.deskew)},
+      {"maps", mapsOf(metrics)},
+      {"files", metrics.files},
+      {"seconds", object(metrics.times.seconds())},
+      {"seconds_total", total_s},
+      {"points_per_second", total_s > 0 ? static_cast<double>(metrics.points) / total_s : 0.0},
+      {"peak_memory_mb", peakMemory_mb()}};
+  // Labels come from the log: bytes that are not UTF-8 are replaced, never an exception.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+}  // namespace traverse::app

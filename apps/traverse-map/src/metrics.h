@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/points/scan.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace traverse::app
+{
+/** Seconds per stage of a run, in the order in which stages first ran. */
+class StageTimes
+{
+ public:
+  /** Runs `work` and adds its time to `stage`. */
+  template <class Work>
+  auto during(const std::string& stage, Work&& work)
+  {
+    const Stop stop{*this, stage};
+    return work();
+  }
+
+  const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
+
+ private:
+  struct Stop
+  {
+    StageTimes& times;
+    const std::string& stage;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+
+    ~Stop() { times.add(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()); }
+  };
+
+  void add(const std::string& stage, double seconds);
+
+  std::vector<std::pair<std::string, double>> seconds_;
+};
+
+/** What one map took in and is. */
+struct MapMetrics
+{
+  std::string name;
+  uint64_t scans = 0;          //!< inserted
+  uint64_t scans_no_pose = 0;  //!< skipped
+  uint64_t points = 0;         //!< inserted
+  uint64_t outside = 0;
+  std::vector<std::pair<std::string, uint64_t>> cells_by_class;
+};
+
+/** What a run met and did: metrics.json. */
+struct RunMetrics
+{
+  std::string rawlog;
+  bool complete = true;  //!< the whole log was read, and nobody interrupted
+  std::vector<std::string> problems;
+  std::vector<std::string> warnings;
+  uint64_t objects = 0;
+  std::map<std::string, uint64_t> observations;  //!< by class: used
+  std::map<std::string, uint64_t> ignored;       //!< by class or reason: not used
+  points::RejectCounts rejects;                  //!< values of observations, by reason
+  uint64_t repeated_stamps = 0;
+  uint64_t backward_stamps = 0;
+  uint64_t scans = 0;   //!< decoded
+  uint64_t points = 0;  //!< decoded
+  std::map<std::string, uint64_t> deskew;        //!< scans by what was done
+  std::map<std::string, uint64_t> pose_quality;  //!< scans by how their pose was found
+  std::map<std::string, uint64_t> poses;         //!< PoseTrack's report
+  std::string pose_source;
+  std::vector<MapMetrics> maps;
+  std::vector<std::string> files;
+  StageTimes times;
+};
+
+/** Highest resident memory of this process and its waited-for children so far, MB. */
+double peakMemory_mb();
+
+/** The metrics as JSON text. */
+std::string toJson(const RunMetrics& metrics);
+}  // namespace traverse::app
