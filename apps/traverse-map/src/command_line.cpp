@@ -3,7 +3,6 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
-
 #include <iostream>
 
 #ifndef TRAVERSE_VERSION
@@ -15,21 +14,27 @@ namespace traverse::app
 namespace
 {
 constexpr const char* kFooter =
-    "Exit codes: 0 done, 1 internal or output cannot be written, 2 usage, 3 configuration, 4 input unreadable,\n"
-    "5 partial (damaged input, what came before it was saved), 130/143 interrupted (what was finished is saved).\n"
-    "Results go to stdout, talk to stderr. Start from a file of ini/; doc/options.md says what each key means.";
+    "Exit codes: 0 done, 1 internal or output cannot be written, 2 usage, 3 configuration, 4 input "
+    "unreadable,\n"
+    "5 partial (damaged input, what came before it was saved), 130/143 interrupted (what was "
+    "finished is saved).\n"
+    "Results go to stdout, talk to stderr. Start from a file of ini/; doc/options.md says what "
+    "each key means.";
 
 void declare(CLI::App& cli, Command& command)
 {
   cli.add_option("CONFIG.ini", command.config, "what to map and how");
-  cli.add_option("--rawlog", command.rawlog, "log to read, instead of the ini's")->type_name("FILE");
-  cli.add_option("--output", command.output, "folder to write, instead of the ini's")->type_name("DIR");
+  cli.add_option("--rawlog", command.rawlog, "log to read, instead of the ini's")
+      ->type_name("FILE");
+  cli.add_option("--output", command.output, "folder to write, instead of the ini's")
+      ->type_name("DIR");
   cli.add_option("--set", command.assignments, "override one key; may be given many times")
       ->type_name("SECTION.KEY=VALUE")
       ->expected(1)
       ->take_all();
   cli.add_flag("--check-config", command.check_config, "check the configuration, do nothing else");
-  cli.add_flag("--print-defaults", command.print_defaults, "print an ini with every key at its default");
+  cli.add_flag(
+      "--print-defaults", command.print_defaults, "print an ini with every key at its default");
   cli.add_flag("--print-options", command.print_options, "print the table of all keys as Markdown");
   cli.add_flag("--force", command.force, "replace an output folder that is there");
   cli.add_flag("--quiet", command.quiet, "no progress on stderr");
@@ -41,7 +46,8 @@ void declare(CLI::App& cli, Command& command)
 ParsedCommand parseCommandLine(int argc, const char* const* argv)
 {
   Command command;
-  CLI::App cli("Maps of where a ground robot can go, from a log of its range sensors.", "traverse-map");
+  CLI::App cli(
+      "Maps of where a ground robot can go, from a log of its range sensors.", "traverse-map");
   declare(cli, command);
   try
   {

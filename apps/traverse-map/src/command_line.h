@@ -15,8 +15,8 @@ namespace traverse::app
 struct Command
 {
   std::filesystem::path config;
-  std::string rawlog;  //!< instead of the ini's
-  std::string output;  //!< instead of the ini's
+  std::string rawlog;                    //!< instead of the ini's
+  std::string output;                    //!< instead of the ini's
   std::vector<std::string> assignments;  //!< --set section.key=value
   bool check_config = false;
   bool print_defaults = false;
@@ -25,8 +25,8 @@ struct Command
   bool quiet = false;
 };
 
-/** Parses argv. Returns the command, or the exit code where nothing is left to do (--help, --version,
- * wrong usage; the text is printed, help on stdout and complaints on stderr). */
+/** Parses argv. Returns the command, or the exit code where nothing is left to do (--help,
+ * --version, wrong usage; the text is printed, help on stdout and complaints on stderr). */
 struct ParsedCommand
 {
   std::optional<Command> command;

@@ -36,8 +36,8 @@ std::vector<mrpt::maps::CMetricMap::Ptr> make(const WantedMap& wanted, const Set
 {
   const config::Entry* entry = ini.find(e.section(), e.key());
   throw ConfigError(
-      entry == nullptr ? std::string(e.what()) : fmt::format("{}: {}", entry->place, e.what()), e.section(),
-      e.key());
+      entry == nullptr ? std::string(e.what()) : fmt::format("{}: {}", entry->place, e.what()),
+      e.section(), e.key());
 }
 }  // namespace
 
@@ -60,7 +60,8 @@ std::vector<BuiltMap> buildMaps(const Settings& settings)
       if (maps.size() != static_cast<size_t>(wanted.count))
       {
         throw ConfigError(fmt::format(
-            "[Maps] asks for {} {}, and MRPT's factory made {}", wanted.count, wanted.name, maps.size()));
+            "[Maps] asks for {} {}, and MRPT's factory made {}", wanted.count, wanted.name,
+            maps.size()));
       }
     }
     catch (const ConfigError& e)

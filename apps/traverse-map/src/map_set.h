@@ -22,7 +22,7 @@ struct BuiltMap
   layers::ScanConsumer* consumer = nullptr;  //!< the same object
 };
 
-/** Makes the maps that the ini asks for with MRPT's own factory. A map that was asked for and not built is
- * an error: throws config::ConfigError, with the line of the ini where it is known. */
+/** Makes the maps that the ini asks for with MRPT's own factory. A map that was asked for and not
+ * built is an error: throws config::ConfigError, with the line of the ini where it is known. */
 std::vector<BuiltMap> buildMaps(const Settings& settings);
 }  // namespace traverse::app

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "metrics.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 namespace traverse::app
@@ -63,8 +62,8 @@ Json mapsOf(const RunMetrics& metrics)
 
 void StageTimes::add(const std::string& stage, double seconds)
 {
-  const auto found =
-      std::find_if(seconds_.begin(), seconds_.end(), [&](const auto& entry) { return entry.first == stage; });
+  const auto found = std::find_if(
+      seconds_.begin(), seconds_.end(), [&](const auto& entry) { return entry.first == stage; });
   if (found == seconds_.end())
   {
     seconds_.emplace_back(stage, seconds);

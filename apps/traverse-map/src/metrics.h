@@ -34,7 +34,11 @@ class StageTimes
     const std::string& stage;
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 
-    ~Stop() { times.add(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()); }
+    ~Stop()
+    {
+      times.add(
+          stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
   };
 
   void add(const std::string& stage, double seconds);
@@ -66,8 +70,8 @@ struct RunMetrics
   points::RejectCounts rejects;                  //!< values of observations, by reason
   uint64_t repeated_stamps = 0;
   uint64_t backward_stamps = 0;
-  uint64_t scans = 0;   //!< decoded
-  uint64_t points = 0;  //!< decoded
+  uint64_t scans = 0;                            //!< decoded
+  uint64_t points = 0;                           //!< decoded
   std::map<std::string, uint64_t> deskew;        //!< scans by what was done
   std::map<std::string, uint64_t> pose_quality;  //!< scans by how their pose was found
   std::map<std::string, uint64_t> poses;         //!< PoseTrack's report

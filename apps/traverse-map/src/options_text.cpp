@@ -3,7 +3,6 @@
 #include "settings.h"
 
 #include <fmt/format.h>
-
 #include <iterator>
 
 namespace traverse::app
@@ -23,7 +22,8 @@ std::vector<Section> allSections()
       {"traverse-map", "The run.", options::rows(RunParams{})},
       {"Vehicle", "What drives; all maps use it.", options::rows(geometry::Vehicle{})},
       {"Poses", "Where the poses come from.", options::rows(poses::PoseParams{})},
-      {"Sensors", "How observations become points.", options::rows(observations::ObservationParams{})},
+      {"Sensors", "How observations become points.",
+       options::rows(observations::ObservationParams{})},
       {"Log", "How the log is read.", options::rows(logs::LogParams{})}};
   Section maps{"Maps", "Which maps are built, by MRPT's own mechanism.", {}};
   for (const plugin::MapSchema& schema : plugin::mapSchemas())
@@ -35,7 +35,9 @@ std::vector<Section> allSections()
   {
     for (const plugin::SectionSchema& section : schema.sections)
     {
-      all.push_back({fmt::format("Maps_{}_00_{}", schema.name, section.suffix), section.meaning, section.rows});
+      all.push_back(
+          {fmt::format("Maps_{}_00_{}", schema.name, section.suffix), section.meaning,
+           section.rows});
     }
   }
   return all;
@@ -56,7 +58,8 @@ std::string defaultsIni()
 {
   std::string text =
       "// Every key of traverse-map with its default. Generated: traverse-map --print-defaults\n"
-      "// A key that is left out has the value that stands here. doc/options.md has the same as tables.\n";
+      "// A key that is left out has the value that stands here. doc/options.md has the same as "
+      "tables.\n";
   for (const Section& section : allSections())
   {
     text += fmt::format("\n// {}\n[{}]\n", section.meaning, section.name);
@@ -73,16 +76,19 @@ std::string optionTables()
 {
   std::string text =
       "# Options of traverse-map\n\n"
-      "Generated: `traverse-map --print-options`. A wrong key or value is refused with its file and line.\n";
+      "Generated: `traverse-map --print-options`. A wrong key or value is refused with its file "
+      "and line.\n";
   for (const Section& section : allSections())
   {
-    text += fmt::format("\n## [{}]\n\n{}\n\n| key | default | allowed | meaning |\n|---|---|---|---|\n", section.name,
-                        section.meaning);
+    text += fmt::format(
+        "\n## [{}]\n\n{}\n\n| key | default | allowed | meaning |\n|---|---|---|---|\n",
+        section.name, section.meaning);
     for (const options::Row& row : section.rows)
     {
       text += fmt::format(
-          "| `{}` | {} | {} | {} |\n", row.key, row.value.empty() ? "" : "`" + escaped(row.value) + "`",
-          escaped(row.allowed), escaped(row.meaning));
+          "| `{}` | {} | {} | {} |\n", row.key,
+          row.value.empty() ? "" : "`" + escaped(row.value) + "`", escaped(row.allowed),
+          escaped(row.meaning));
     }
   }
   return text;

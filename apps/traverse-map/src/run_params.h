@@ -30,8 +30,12 @@ void visitRunParams(P& p, F&& f)
   f(Option{"title", "headline of the report; empty: the log's name"}, p.title);
   f(Option{"deskew", "place every point with the pose at its own time"}, p.deskew);
   f(Option{"max_scans", "stop after so many scans; 0 = all", {0, 1e9}}, p.max_scans);
-  f(Option{"snapshot_every_s", "a picture of the map every so many seconds of the log; 0 = only at the end", {0, 1e6}},
-    p.snapshot_every_s);
+  f(
+      Option{
+          "snapshot_every_s",
+          "a picture of the map every so many seconds of the log; 0 = only at the end",
+          {0, 1e6}},
+      p.snapshot_every_s);
   f(Option{"picture_width_px", "width of pictures, pixels", {200, 8000}}, p.picture_width_px);
   f(Option{"scene", "write the 3-D view for SceneViewer3D (map.3Dscene)"}, p.scene);
 }

@@ -18,8 +18,8 @@ using config::sameName;
 
 const std::vector<std::string>& ownSections()
 {
-  static const std::vector<std::string> kSections = {
-      "traverse-map", "Vehicle", "Poses", "Sensors", "Log", "Maps"};
+  static const std::vector<std::string> kSections = {"traverse-map", "Vehicle", "Poses",
+                                                     "Sensors",      "Log",     "Maps"};
   return kSections;
 }
 
@@ -88,7 +88,8 @@ void checkSections(Settings& settings, const std::vector<WantedMap>& stock)
     const std::string place = firstEntry(settings.ini, section).place;
     if (isOfAStockMap(section, stock))
     {
-      settings.warnings.push_back(fmt::format("{}: [{}] belongs to a stock MRPT map: not checked", place, section));
+      settings.warnings.push_back(
+          fmt::format("{}: [{}] belongs to a stock MRPT map: not checked", place, section));
       continue;
     }
     std::vector<std::string> known = ownSections();
@@ -100,15 +101,18 @@ void checkSections(Settings& settings, const std::vector<WantedMap>& stock)
     const std::string near = options::nearest(section, known);
     throw ConfigError(fmt::format(
         "{}: unknown section [{}]; {}", place, section,
-        near.empty() ? fmt::format("known: [{}]", fmt::join(known, "], [")) : "did you mean [" + near + "]?"));
+        near.empty() ? fmt::format("known: [{}]", fmt::join(known, "], ["))
+                     : "did you mean [" + near + "]?"));
   }
 }
 
-/** Relative names of the ini start at its folder; those of the command line at the working folder. */
+/** Relative names of the ini start at its folder; those of the command line at the working folder.
+ */
 std::filesystem::path inputFile(const Settings& settings, const Command& command)
 {
   const Entry* entry = settings.ini.find("traverse-map", "rawlog");
-  const bool from_ini = command.rawlog.empty() && entry != nullptr && entry->place.rfind("--set", 0) != 0;
+  const bool from_ini =
+      command.rawlog.empty() && entry != nullptr && entry->place.rfind("--set", 0) != 0;
   const std::filesystem::path file = command.rawlog.empty() ? settings.run.rawlog : command.rawlog;
   return from_ini && file.is_relative() && !file.empty() ? settings.ini.folder() / file : file;
 }
@@ -131,7 +135,8 @@ Settings loadSettings(const Command& command)
   {
     settings.poses.file = settings.ini.folder() / settings.poses.file;
   }
-  if (!settings.poses.times_file.empty() && std::filesystem::path(settings.poses.times_file).is_relative())
+  if (!settings.poses.times_file.empty() &&
+      std::filesystem::path(settings.poses.times_file).is_relative())
   {
     settings.poses.times_file = settings.ini.folder() / settings.poses.times_file;
   }

@@ -40,8 +40,8 @@ struct Settings
   std::filesystem::path output;
 };
 
-/** Reads and checks the ini, `--set` and the other overrides applied. Throws config::ConfigError with
- * file:line. Sections of stock MRPT maps are left to MRPT, with a warning. */
+/** Reads and checks the ini, `--set` and the other overrides applied. Throws config::ConfigError
+ * with file:line. Sections of stock MRPT maps are left to MRPT, with a warning. */
 Settings loadSettings(const Command& command);
 
 /** An ini with every key of the app and of every map at its default. */

@@ -6,9 +6,8 @@
 
 #include <mrpt/maps/TMetricMapTypesRegistry.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace traverse::app
 {
@@ -31,13 +30,15 @@ std::vector<std::string> ownNames()
 
 bool isOneOf(const std::string& name, const std::vector<std::string>& names)
 {
-  return std::any_of(names.begin(), names.end(), [&](const std::string& n) { return sameName(n, name); });
+  return std::any_of(
+      names.begin(), names.end(), [&](const std::string& n) { return sameName(n, name); });
 }
 
 std::vector<std::string> stockNames()
 {
   std::vector<std::string> names;
-  for (const auto& [name, functions] : mrpt::maps::internal::TMetricMapTypesRegistry::Instance().getAllRegistered())
+  for (const auto& [name, functions] :
+       mrpt::maps::internal::TMetricMapTypesRegistry::Instance().getAllRegistered())
   {
     names.push_back(name);
   }
@@ -69,7 +70,8 @@ int countOf(const config::Entry& entry)
   const std::string near = options::nearest(entry.key, keys);
   throw ConfigError(fmt::format(
       "{}: [Maps] unknown key '{}'; {}", entry.place, entry.key,
-      near.empty() ? fmt::format("known: {}", fmt::join(keys, ", ")) : fmt::format("did you mean '{}'?", near)));
+      near.empty() ? fmt::format("known: {}", fmt::join(keys, ", "))
+                   : fmt::format("did you mean '{}'?", near)));
 }
 }  // namespace
 
@@ -95,19 +97,21 @@ void readWantedMaps(Settings& settings, std::vector<WantedMap>& stock)
     {
       stock.push_back(map);
       settings.warnings.push_back(fmt::format(
-          "{}: {} is a stock MRPT map: left to MRPT's own programs, not built here", entry.place, map.name));
+          "{}: {} is a stock MRPT map: left to MRPT's own programs, not built here", entry.place,
+          map.name));
     }
     else
     {
       refuse(entry);
     }
   }
-  const bool any =
-      std::any_of(settings.maps.begin(), settings.maps.end(), [](const WantedMap& m) { return m.count > 0; });
+  const bool any = std::any_of(
+      settings.maps.begin(), settings.maps.end(), [](const WantedMap& m) { return m.count > 0; });
   if (!any)
   {
     throw ConfigError(fmt::format(
-        "[Maps] asks for no map; write e.g. {}_count = 1", ownNames().empty() ? "?" : ownNames().front()));
+        "[Maps] asks for no map; write e.g. {}_count = 1",
+        ownNames().empty() ? "?" : ownNames().front()));
   }
 }
 

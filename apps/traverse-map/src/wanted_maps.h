@@ -9,8 +9,9 @@
 
 namespace traverse::app
 {
-/** Reads section [Maps] into settings.maps (ours) and `stock` (MRPT's own, left to MRPT's programs, with a
- * warning). A name that nobody knows, a count outside 0..16, and no map at all throw ConfigError. */
+/** Reads section [Maps] into settings.maps (ours) and `stock` (MRPT's own, left to MRPT's programs,
+ * with a warning). A name that nobody knows, a count outside 0..16, and no map at all throw
+ * ConfigError. */
 void readWantedMaps(Settings& settings, std::vector<WantedMap>& stock);
 
 /** Names of the ini sections that belong to a wanted map. */
