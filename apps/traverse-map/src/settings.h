@@ -38,6 +38,7 @@ struct Settings
   std::vector<std::string> warnings;
   std::filesystem::path rawlog;
   std::filesystem::path output;
+  bool quiet = false;
 };
 
 /** Reads and checks the ini, `--set` and the other overrides applied. Throws config::ConfigError

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "map_set.h"
+#include "metrics.h"
+#include "settings.h"
+
+#include <traverse/poses/pose_track.h>
+
+#include <atomic>
+#include <functional>
+
+namespace traverse::app
+{
+/** Called after each scan with its stamp; for snapshots. */
+using AfterScan = std::function<void(poses::TimeNs)>;
+
+/** Feeds every scan of the log, decoded once and deskewed, to all maps. Damage of the log ends the
+ * loop and is told in `metrics`; what came before it is in the maps. */
+void mapLog(
+    const Settings& settings,
+    const poses::PoseTrack& track,
+    std::vector<BuiltMap>& maps,
+    RunMetrics& metrics,
+    const AfterScan& after_scan);
+}  // namespace traverse::app

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "track.h"
+
+#include <traverse/formats/trajectory.h>
+#include <traverse/logs/pose_reader.h>
+
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+namespace
+{
+std::vector<poses::StampedPose> posesOf(
+    const Settings& settings, RunMetrics& metrics, const std::atomic<bool>& stop)
+{
+  if (settings.poses.source == poses::PoseSource::file)
+  {
+    return settings.poses.times_file.empty()
+               ? formats::readTum(settings.poses.file)
+               : formats::readKitti(settings.poses.file, settings.poses.times_file);
+  }
+  logs::PoseReading reading = logs::readLogPoses(
+      settings.rawlog, settings.poses.source, settings.log, settings.sensors, &stop);
+  if (!reading.report.complete)
+  {
+    metrics.warnings.push_back("poses: " + reading.report.damage);
+  }
+  return std::move(reading.poses);
+}
+
+void tell(const poses::PoseTrack& track, RunMetrics& metrics)
+{
+  const poses::TrackReport& r = track.report();
+  metrics.poses = {{"kept", r.poses},        {"nonfinite", r.nonfinite}, {"repeated", r.repeated},
+                   {"backward", r.backward}, {"gaps", r.gaps},           {"segments", r.segments}};
+  if (r.segments > 1)
+  {
+    metrics.warnings.push_back(fmt::format(
+        "poses: {} jumps that the vehicle cannot drive; each starts a new segment",
+        r.segments - 1));
+  }
+  if (r.gaps > 0)
+  {
+    metrics.warnings.push_back(fmt::format("poses: {} gaps longer than max_pose_age_s", r.gaps));
+  }
+}
+}  // namespace
+
+poses::PoseTrack makeTrack(
+    const Settings& settings, RunMetrics& metrics, const std::atomic<bool>& stop)
+{
+  metrics.pose_source = options::format(settings.poses.source);
+  if (settings.poses.source == poses::PoseSource::identity)
+  {
+    poses::PoseTrack still = poses::PoseTrack::constant(Eigen::Isometry3d::Identity());
+    tell(still, metrics);
+    return still;
+  }
+  poses::PoseTrack track(posesOf(settings, metrics, stop), settings.poses.limits());
+  tell(track, metrics);
+  return track;
+}
+}  // namespace traverse::app
