@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What traverse-map says and does where something is wrong: command line, ini, log, output.
+
+#include "support/traverse_map.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <thread>
+
+namespace
+{
+using namespace traverse::testing;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class TraverseMapErrors : public ::testing::Test
+{
+ protected:
+  /** Runs the VLP-16 ini with these arguments after it. */
+  Finished vlp16(std::vector<std::string> arguments) const
+  {
+    arguments.insert(arguments.begin(), {ini("vlp16"), "--output", (scratch_ / "out").string()});
+    return traverseMap(arguments);
+  }
+
+  /** Runs with an ini of this text. */
+  Finished withIni(const std::string& text) const
+  {
+    writeText(scratch_ / "car.ini", text);
+    return traverseMap({(scratch_ / "car.ini").string(), "--check-config"});
+  }
+
+  ScratchFolder scratch_;
+};
+
+TEST_F(TraverseMapErrors, WrongUsageIsExitTwo)
+{
+  EXPECT_EQ(traverseMap({}).exit_code, 2);
+  EXPECT_EQ(traverseMap({"--no-such-flag"}).exit_code, 2);
+  writeText(scratch_ / "maps.ini", "[Maps]\nCTraversabilityGridMap_count = 1\n");
+  const Finished no_log = traverseMap({(scratch_ / "maps.ini").string()});
+  EXPECT_EQ(no_log.exit_code, 2);
+  EXPECT_THAT(no_log.err, HasSubstr("--rawlog"));
+}
+
+TEST_F(TraverseMapErrors, AMisspeltKeyNamesFileLineAndNearestKey)
+{
+  const Finished ran = withIni(
+      "[Maps]\nCTraversabilityGridMap_count = "
+      "1\n[Maps_CTraversabilityGridMap_00_insertOpts]\ncell_sise_m = 0.1\n");
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_THAT(
+      ran.err,
+      AllOf(HasSubstr("car.ini:4:"), HasSubstr("cell_sise_m"), HasSubstr("'cell_size_m'")));
+}
+
+TEST_F(TraverseMapErrors, MisspeltSectionsAndMapsAreRefused)
+{
+  EXPECT_THAT(
+      withIni("[Maps]\nCTraversabilityGridMap_count=1\n[Vehicel]\nheight_m=1\n").err,
+      HasSubstr("[Vehicle]"));
+  EXPECT_THAT(
+      withIni("[Maps]\nCTraversabilityGirdMap_count=1\n").err,
+      HasSubstr("'CTraversabilityGridMap_count'"));
+  EXPECT_EQ(withIni("[Maps]\nCTraversabilityGirdMap_count=1\n").exit_code, 3);
+  EXPECT_EQ(withIni("[Vehicle]\nheight_m=1\n").exit_code, 3) << "no map was asked for";
+}
+
+TEST_F(TraverseMapErrors, CountsOutOfRangeAreRefused)
+{
+  const Finished ran = withIni("[Maps]\nCTraversabilityGridMap_count = -1\n");
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_THAT(ran.err, AllOf(HasSubstr("car.ini:2:"), HasSubstr("'-1'"), HasSubstr("0 to 16")));
+}
+
+TEST_F(TraverseMapErrors, ValuesOutOfRangeAreRefused)
+{
+  const std::string maps = "[Maps]\nCTraversabilityGridMap_count=1\n";
+  for (const char* bad : {"-1", "0", "abc", "1,5", "nan", "1e999", ""})
+  {
+    const Finished ran =
+        withIni(maps + "[Maps_CTraversabilityGridMap_00_insertOpts]\ncell_size_m = " + bad + "\n");
+    EXPECT_EQ(ran.exit_code, 3) << bad;
+    EXPECT_THAT(ran.err, HasSubstr("car.ini:4:")) << bad;
+  }
+}
+
+TEST_F(TraverseMapErrors, StockMapsAreLeftToMrptWithAWarning)
+{
+  const Finished ran = withIni(
+      "[Maps]\nCTraversabilityGridMap_count=1\npointsMap_count=1\n[Maps_pointsMap_00_insertOpts]"
+      "\nminDistBetweenLaserPoints=0.1\n");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("stock MRPT map"));
+}
+
+TEST_F(TraverseMapErrors, AnUnreadableLogIsExitFour)
+{
+  writeText(scratch_ / "empty.rawlog", "");
+  writeText(scratch_ / "text.rawlog", "this is no log, whatever its name says\n");
+  for (const std::string& log :
+       {(scratch_ / "missing.rawlog").string(), scratch_.path().string(),
+        (scratch_ / "empty.rawlog").string(), (scratch_ / "text.rawlog").string()})
+  {
+    const Finished ran = vlp16({"--rawlog", log});
+    EXPECT_EQ(ran.exit_code, 4) << log << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr(log));
+    EXPECT_FALSE(fs::exists(scratch_ / "out")) << "no folder of results without results";
+  }
+}
+
+TEST_F(TraverseMapErrors, ATruncatedLogIsSavedAndMarkedPartial)
+{
+  const std::string whole =
+      readText(mrptData("2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog"));
+  writeText(scratch_ / "cut.rawlog", whole.substr(0, whole.size() / 2));
+  const Finished ran = traverseMap(
+      {ini("laser2d"), "--rawlog", scratch_ / "cut.rawlog", "--output", scratch_ / "out", "--set",
+       "Poses.source=odometry"});
+  EXPECT_EQ(ran.exit_code, 5) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("cut.rawlog"));
+  const auto metrics = metricsOf(scratch_ / "out");
+  EXPECT_FALSE(metrics["complete"]);
+  EXPECT_GT(metrics["scans"].get<int>(), 80);
+  EXPECT_LT(metrics["scans"].get<int>(), 140);
+}
+
+TEST_F(TraverseMapErrors, AnOutputFolderThatIsThereNeedsForce)
+{
+  ASSERT_EQ(vlp16({}).exit_code, 0);
+  const std::string before = readText(scratch_ / "out" / "map.traverse");
+  const Finished again =
+      vlp16({"--set", "Maps_CTraversabilityGridMap_00_insertOpts.cell_size_m=0.4"});
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_THAT(again.err, HasSubstr((scratch_ / "out").string()));
+  EXPECT_EQ(readText(scratch_ / "out" / "map.traverse"), before);
+  EXPECT_EQ(
+      vlp16({"--force", "--set", "Maps_CTraversabilityGridMap_00_insertOpts.cell_size_m=0.4"})
+          .exit_code,
+      0);
+  EXPECT_NE(readText(scratch_ / "out" / "map.traverse"), before);
+}
+
+TEST_F(TraverseMapErrors, AnOutputFolderThatCannotBeMadeIsSaidBeforeAnythingRuns)
+{
+  const Finished ran = traverseMap({ini("vlp16"), "--output", "/proc/no/such"});
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_THAT(ran.err, HasSubstr("/proc/no"));
+}
+
+TEST_F(TraverseMapErrors, AFullDiskIsSaidAndLeavesNoResultThatLooksWhole)
+{
+  const std::string script = "mount -t tmpfs -o size=64k none '" + scratch_.path().string() +
+                             "' && exec '" + TRAVERSE_BINARY_DIR + "/bin/traverse-map' '" +
+                             ini("vlp16") + "' --output '" + (scratch_ / "out").string() + "'";
+  const Finished ran = run({"unshare", "--mount", "--map-root-user", "sh", "-c", script});
+  if (ran.err.find("traverse-map") == std::string::npos)
+  {
+    GTEST_SKIP() << "SKIPPED: no mount namespace here: " << ran.err;
+  }
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_THAT(ran.err, HasSubstr("No space left on device"));
+}
+
+TEST_F(TraverseMapErrors, WhatWasFinishedIsSavedOnInterrupt)
+{
+  for (const auto& [number, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}})
+  {
+    const fs::path out = scratch_ / ("out" + std::to_string(code));
+    Process process(
+        {std::string(TRAVERSE_BINARY_DIR) + "/bin/traverse-map", ini("laser2d"), "--output", out,
+         "--set", "Poses.source=odometry", "--set", "traverse-map.snapshot_every_s=0.2"});
+    while (process.running() && !fs::exists(out.string() + ".partial/snapshot_0003.png"))
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    process.signal(number);
+    const Finished ran = process.wait(std::chrono::seconds(60));
+    EXPECT_EQ(ran.exit_code, code) << ran.err;
+    const auto metrics = metricsOf(out);
+    EXPECT_FALSE(metrics["complete"]);
+    EXPECT_GT(metrics["scans"].get<int>(), 0);
+    EXPECT_LT(metrics["scans"].get<int>(), 225);
+  }
+}
+}  // namespace
