@@ -72,10 +72,12 @@ template <class E>
 requires std::is_enum_v<E> std::string format(E value)
 {
   for (const auto& [e, name] : EnumNames<E>::kNames)
+  {
     if (e == value)
     {
       return std::string(name);
     }
+  }
   return "?";
 }
 
@@ -97,11 +99,13 @@ requires std::is_enum_v<E>
 void parse(const Option& option, std::string_view text, E& value)
 {
   for (const auto& [e, name] : EnumNames<E>::kNames)
+  {
     if (name == text)
     {
       value = e;
       return;
     }
+  }
   throw OptionError(option.key, text, enumChoices<E>());
 }
 

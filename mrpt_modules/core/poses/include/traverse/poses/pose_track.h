@@ -59,9 +59,9 @@ enum class PoseQuality : uint8_t
 /** A pose, how it was found, and in which segment. */
 struct TrackedPose
 {
-  Eigen::Isometry3d T_map_base;
-  PoseQuality quality;
-  int segment;
+  Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
+  PoseQuality quality = PoseQuality::held;
+  int segment = 0;
 };
 
 /** SE(3) poses by time. Immutable; look-up by time, never by arrival.
