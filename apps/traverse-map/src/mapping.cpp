@@ -51,17 +51,51 @@ void insert(
   metrics.outside += stats.outside;
 }
 
+double fractionRead(const logs::LogReport& report)
+{
+  return report.file_size == 0
+             ? 0.0
+             : static_cast<double>(report.bytes_read) / static_cast<double>(report.file_size);
+}
+
 void takeReport(const logs::LogReport& report, RunMetrics& metrics)
 {
   metrics.objects = report.objects;
   metrics.observations = report.observations;
   metrics.ignored = report.ignored;
+  metrics.rejected = report.rejected;
   metrics.repeated_stamps = report.repeated_stamps;
   metrics.backward_stamps = report.backward_stamps;
-  if (!report.complete)
+  metrics.bad_stamps = report.bad_stamps;
+  if (!report.complete() && report.end != logs::LogEnd::reading && report.end != logs::LogEnd::stopped)
   {
     metrics.complete = false;
     metrics.problems.push_back(report.damage);
+  }
+}
+/** What a scan is mapped with. */
+struct Context
+{
+  const Settings& settings;
+  const poses::PoseTrack& track;
+};
+
+void mapScan(points::Decoded& decoded, const Context& context, std::vector<BuiltMap>& maps, RunMetrics& metrics)
+{
+  ++metrics.scans;
+  metrics.points += decoded.scan.size();
+  metrics.rejects += decoded.rejects;
+  if (context.settings.run.deskew)
+  {
+    ++metrics.deskew[nameOf(
+        metrics.times.during("deskew", [&] { return points::deskew(decoded.scan, context.track); }))];
+  }
+  const auto pose = context.track.at(decoded.scan.stamp);
+  ++metrics.pose_quality[pose ? nameOf(pose->quality) : "none"];
+  for (size_t i = 0; i < maps.size(); ++i)
+  {
+    metrics.times.during(
+        "insert", [&] { insert(decoded.scan.view(), context.track, maps[i], metrics.maps[i]); });
   }
 }
 }  // namespace
@@ -77,7 +111,9 @@ void mapLog(
   {
     metrics.maps.push_back({map.name + map.file_suffix, 0, 0, 0, 0, {}});
   }
-  logs::LogReader reader(settings.rawlog, settings.log, settings.sensors, &Interrupt::flag());
+  const bool any_time_will_do = settings.poses.source == poses::PoseSource::identity;
+  logs::LogReader reader(
+      settings.rawlog, settings.log, settings.sensors, {&Interrupt::flag(), any_time_will_do});
   Progress progress("mapping", "scans", settings.quiet);
   const auto limit = static_cast<uint64_t>(settings.run.max_scans);
   while (limit == 0 || metrics.scans < limit)
@@ -88,23 +124,9 @@ void mapLog(
     {
       break;
     }
-    ++metrics.scans;
-    metrics.points += decoded->scan.size();
-    metrics.rejects += decoded->rejects;
-    if (settings.run.deskew)
-    {
-      ++metrics.deskew[nameOf(
-          metrics.times.during("deskew", [&] { return points::deskew(decoded->scan, track); }))];
-    }
-    const auto pose = track.at(decoded->scan.stamp);
-    ++metrics.pose_quality[pose ? nameOf(pose->quality) : "none"];
-    for (size_t i = 0; i < maps.size(); ++i)
-    {
-      metrics.times.during(
-          "insert", [&] { insert(decoded->scan.view(), track, maps[i], metrics.maps[i]); });
-    }
+    mapScan(*decoded, {settings, track}, maps, metrics);
     after_scan(decoded->scan.stamp);
-    progress.show(reader.fractionRead(), metrics.scans);
+    progress.show(fractionRead(reader.report()), metrics.scans);
   }
   progress.finish(metrics.scans);
   takeReport(reader.report(), metrics);

@@ -16,13 +16,11 @@ std::vector<poses::StampedPose> posesOf(
 {
   if (settings.poses.source == poses::PoseSource::file)
   {
-    return settings.poses.times_file.empty()
-               ? formats::readTum(settings.poses.file)
-               : formats::readKitti(settings.poses.file, settings.poses.times_file);
+    return formats::readTrajectory(settings.poses.file, settings.poses.times_file);
   }
   logs::PoseReading reading = logs::readLogPoses(
-      settings.rawlog, settings.poses.source, settings.log, settings.sensors, &stop);
-  if (!reading.report.complete)
+      settings.rawlog, settings.poses.source, settings.log, settings.sensors, {&stop, false});
+  if (!reading.report.complete())
   {
     metrics.warnings.push_back("poses: " + reading.report.damage);
   }
