@@ -70,14 +70,17 @@ Layout layoutOf(const std::filesystem::path& file, const FileHeader& header)
   layout.ticks_per_second = magic == kMagicNanoseconds ? 1'000'000'000 : 1'000'000;
   constexpr uint32_t kWithoutFcsBits = 0x03FFFFFF;
   layout.link_type = numberAt(header, 20, layout.big_endian) & kWithoutFcsBits;
-  if (!knowsLinkType(layout.link_type))
+  return layout;
+}
+
+void requireLinkType(const std::filesystem::path& file, uint32_t link_type)
+{
+  if (!knowsLinkType(link_type))
   {
     refuse(
-        file,
-        fmt::format(
-            "link type {} is not read (only Ethernet, Linux cooked and raw IP)", layout.link_type));
+        file, fmt::format(
+                  "link type {} is not read (only Ethernet, Linux cooked and raw IP)", link_type));
   }
-  return layout;
 }
 }  // namespace
 
@@ -183,6 +186,7 @@ PcapReader::PcapReader(const std::filesystem::path& file) : state_(std::make_uni
   {
     refuse(file, "the file ends within the pcap file header");
   }
+  requireLinkType(file, state_->layout.link_type);
 }
 
 PcapReader::~PcapReader() = default;
