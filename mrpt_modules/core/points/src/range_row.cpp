@@ -55,7 +55,8 @@ void check(const RangeRow& row)
   {
     throw std::invalid_argument("a scan row has flags of another length than its ranges");
   }
-  if (!std::isfinite(row.first_bearing_rad) || !std::isfinite(row.step_rad))
+  if (!std::isfinite(row.first_bearing_rad) || !std::isfinite(row.step_rad) ||
+      !std::isfinite(row.elevation_rad))
   {
     throw std::invalid_argument("a scan row has no finite bearings");
   }
@@ -78,7 +79,7 @@ RangeImage emptyImage(const RangeRow& row)
   image.beam.reserve(n);
   image.range_m.reserve(n);
   image.azimuth_rad.reserve(n);
-  image.elevation_rad.assign(n, 0.0F);
+  image.elevation_rad.assign(n, static_cast<float>(row.elevation_rad));
   return image;
 }
 }  // namespace
@@ -110,8 +111,8 @@ Decoded decodeRow(const RangeRow& row)
       out.rejects.add(*reading.reject);
       continue;
     }
-    const Eigen::Vector3d p =
-        row.T_base_sensor * (beamDirection(bearing, 0) * static_cast<double>(row.range_m[i]));
+    const Eigen::Vector3d p = row.T_base_sensor * (beamDirection(bearing, row.elevation_rad) *
+                                                   static_cast<double>(row.range_m[i]));
     out.scan.x.push_back(static_cast<float>(p.x()));
     out.scan.y.push_back(static_cast<float>(p.y()));
     out.scan.z.push_back(static_cast<float>(p.z()));

@@ -9,7 +9,8 @@
 
 namespace traverse::points
 {
-/** One row of a 2-D scanner: beams in the sensor's x-y plane, at equal steps of bearing. */
+/** One row of a scanner: beams of one elevation (0: in the sensor's x-y plane) at equal steps of
+ * bearing. */
 struct RangeRow
 {
   TimeNs stamp = 0;
@@ -19,6 +20,7 @@ struct RangeRow
   std::span<const char> valid;     //!< 0: the sensor got no echo, or says so; may be empty
   double first_bearing_rad = 0;    //!< of range_m[0]; 0 is forward, counter-clockwise
   double step_rad = 0;             //!< negative for a clockwise scanner
+  double elevation_rad = 0;        //!< of the whole row (one laser of a spinning scanner)
   float sensor_max_range_m = 0;    //!< from here on it is "no return"
   RangeLimits limits;
 };
@@ -29,6 +31,6 @@ struct RangeRow
  * on. Rejected: NaN, Inf, negative, too near, or flagged bad at a range within reach. A range
  * beyond the ini's limit but within the sensor's counts as beyond_range; the beam did meet nothing
  * within the limit, and the image shows that. Throws std::invalid_argument where `valid` has
- * another length, or a bearing is not finite. */
+ * another length, or an angle is not finite. */
 Decoded decodeRow(const RangeRow& row);
 }  // namespace traverse::points
