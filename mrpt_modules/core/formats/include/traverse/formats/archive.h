@@ -78,7 +78,7 @@ class ArchiveReader
   {
     std::string_view name;
     std::string_view bytes;
-    size_t first_byte;
+    size_t first_byte = 0;
   };
 
   const Section* find(std::string_view name4) const;
