@@ -19,8 +19,8 @@ struct Raster
 
   Raster() = default;
 
-  Raster(size_t width_, size_t height_, layers::Colour fill = {}) :
-      width(width_), height(height_), pixels(width_ * height_, fill)
+  Raster(size_t columns, size_t rows, layers::Colour fill = {}) :
+      width(columns), height(rows), pixels(columns * rows, fill)
   {
   }
 
