@@ -18,6 +18,8 @@ struct UpdateStats
   uint64_t points = 0;         //!< added
   uint64_t outside = 0;        //!< points beyond the map's extent or range limits
   uint64_t touched_cells = 0;  //!< cells that got a point
+  uint64_t bad_points = 0;     //!< skipped: NaN, Inf, or further than anything on the ground
+  uint64_t over_budget = 0;    //!< points that the map's memory budget had no room for
 };
 
 /** A map that takes decoded, deskewed scans. The apps cast what MRPT's map factory made to this. */

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/layers/height_slabs.h>
+#include <traverse/traversability_grid/params.h>
+
+#include <array>
+#include <cstdint>
+
+namespace traverse::traversability_grid
+{
+/** What the paper measures in a cell, over the n points that count. Metres of the map frame; NaN
+ * where there is nothing to measure. The paper's formulas in its order:
+ *
+ *     (1) mean        zm = (1/n) sum z
+ *     (2) deviation   dz = max |z - zm| = max(z_max - zm, zm - z_min)
+ *     (3) mean plane  z = A x + B y + C by least squares; x, y from the cell's smallest corner
+ *     (4) slope       cos(gamma) = 1 / sqrt(A^2 + B^2 + 1)
+ *     (5) variance    D = (1/n) sum (z - zm)^2 */
+struct Features
+{
+  uint64_t n = 0;
+  double mean_m = 0;
+  double min_m = 0;
+  double max_m = 0;
+  double deviation_m = 0;
+  double variance_m2 = 0;
+  bool has_plane = false;  //!< false: the points lie on one line seen from above, or in one place
+  double A = 0;
+  double B = 0;
+  double C_m = 0;
+  poses::TimeNs last_seen = 0;
+
+  /** tan^2 of the angle gamma between the plane and the horizontal. */
+  double tan2Slope() const { return A * A + B * B; }
+
+  /** gamma in degrees; NaN without a plane. */
+  double slope_deg() const;
+};
+
+/** How a cell's slabs are read. */
+struct SlabReading
+{
+  int32_t slab_mm = 500;
+  int64_t clearance_mm = 2000;   //!< the vehicle's height
+  bool ignore_overhangs = true;  //!< upward to the first gap of at least clearance_mm only
+};
+
+/** Features of the cell whose lowest slab is given (nullptr: n = 0). */
+Features featuresOf(
+    const layers::HeightSlabs& slabs, const layers::HeightSlab* lowest, const SlabReading& reading);
+
+/** Step 5: features to class. */
+class Classifier
+{
+ public:
+  explicit Classifier(const Params& params);
+
+  /** The first class whose limits the features do not exceed. Undefined: fewer than min_points, or
+   * no plane where the other features alone are not an obstacle's (a plane could still worsen the
+   * class, so they do not decide). */
+  Class operator()(const Features& features) const;
+
+ private:
+  struct Limits
+  {
+    double deviation_m;
+    double tan2_slope;
+    double variance_m2;
+  };
+
+  Class worstOf(double deviation_m, double variance_m2, double tan2_slope) const;
+
+  uint64_t min_points_;
+  std::array<Limits, 3> limits_;
+};
+
+/** Index of undefined cells where a number must be stored; layers show NaN. */
+inline constexpr uint8_t kNoIndex = 255;
+
+/** Step 6: 0..100, less is easier; kNoIndex for undefined. */
+uint8_t indexOf(Class of, const Params& params);
+}  // namespace traverse::traversability_grid

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/geometry/lattice.h>
+#include <traverse/geometry/vehicle.h>
+#include <traverse/layers/height_slabs.h>
+#include <traverse/layers/tile_grid.h>
+#include <traverse/traversability_grid/features.h>
+#include <traverse/traversability_grid/params.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace traverse::traversability_grid
+{
+/** One cell: its sums, and what the last classification made of them. */
+struct Cell
+{
+  int32_t slabs = layers::HeightSlabs::kNone;
+  Class of = Class::undefined;
+  uint8_t index = kNoIndex;
+  bool touched = false;  //!< by the scan that is being added
+};
+
+using Cells = layers::TileGrid<Cell>;
+
+/** A point of a scan on the map's lattice. */
+struct LatticePoint
+{
+  geometry::CellIndex cell;
+  int32_t level = 0;
+  layers::PointInSlab inside;
+};
+
+/** All that a class depends on besides the cell's sums. */
+struct ClassRule
+{
+  Params params;  //!< only what classes depend on; the rest is left at its defaults
+  int64_t clearance_mm = 0;
+
+  friend bool operator==(const ClassRule&, const ClassRule&) = default;
+};
+
+ClassRule classRule(const Params& params, const geometry::Vehicle& vehicle);
+
+/** The map as a value: copied, compared by its archive, thrown away whole. */
+struct State
+{
+  geometry::Lattice lattice;
+  int32_t slab_mm = 500;
+  Cells cells;
+  layers::HeightSlabs slabs;
+  size_t occupied = 0;                       //!< cells with a point
+  std::optional<geometry::CellRect> window;  //!< the cells kept, where they follow the robot
+  std::optional<poses::StampedPose> robot;   //!< latest pose that a scan came with
+  ClassRule rule;                            //!< what the cells' classes were made with
+
+  // Work space of update(), kept for its capacity.
+  std::vector<LatticePoint> projected;
+  std::vector<Cells::Place> touched;  //!< cells of the last scan
+
+  bool empty() const { return occupied == 0; }
+};
+
+/** An empty map. Throws OptionError for Params or Vehicle that check() refuses. */
+State makeState(const Params& params, const geometry::Vehicle& vehicle);
+
+/** Adds a point to its cell. Nothing where the memory budget is spent. */
+std::optional<Cells::Place> addPoint(
+    State& state, const LatticePoint& point, poses::TimeNs stamp, size_t most_tiles);
+
+/** Most tiles that a map with these options may have; the slabs have three quarters of the
+ * budget. */
+size_t mostTiles(const Params& params);
+size_t mostSlabs(const Params& params);
+
+/** How features are to be read from this state's slabs. */
+SlabReading slabReading(const State& state, const Params& params, const geometry::Vehicle& vehicle);
+
+/** The cells of extent = fixed. */
+geometry::CellRect fixedRect(const geometry::Lattice& lattice, const Params& params);
+
+/** Forgets all cells; costs by the cells there. */
+void clearCells(State& state);
+
+/** Moves the kept window: cells that leave it are forgotten. Costs by what leaves. */
+void moveWindow(State& state, const geometry::CellRect& window);
+
+/** Makes the classes of all cells new. */
+void reclassify(State& state, const Params& params, const geometry::Vehicle& vehicle);
+}  // namespace traverse::traversability_grid

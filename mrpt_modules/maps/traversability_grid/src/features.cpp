@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/traversability_grid/features.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace traverse::traversability_grid
+{
+namespace
+{
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kMetres = 1e-3;
+
+/** Below this share of the horizontal scatter's square its determinant is that of a line: points a
+ * millimetre off a line across a cell of 0.2 m have 1e-5. */
+constexpr double kSingular = 1e-9;
+
+/** Sums of a cell's counting slabs, millimetres, heights relative to the lowest slab's bottom. They
+ * are whole numbers, exact in a double to 2^53: in 0.2 m cells for 10^8 points 20 m high. */
+struct Sums
+{
+  double n = 0;
+  double x = 0, y = 0, z = 0;
+  double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
+
+  void add(const layers::HeightSlab& s, double lift_mm)
+  {
+    const double m = s.n;
+    const auto sx = static_cast<double>(s.x);
+    const auto sy = static_cast<double>(s.y);
+    const auto sz = static_cast<double>(s.z);
+    n += m;
+    x += sx;
+    y += sy;
+    z += sz + m * lift_mm;
+    xx += static_cast<double>(s.xx);
+    xy += static_cast<double>(s.xy);
+    yy += static_cast<double>(s.yy);
+    xz += static_cast<double>(s.xz) + sx * lift_mm;
+    yz += static_cast<double>(s.yz) + sy * lift_mm;
+    zz += static_cast<double>(s.zz) + 2 * lift_mm * sz + m * lift_mm * lift_mm;
+  }
+};
+
+void fitPlane(const Sums& s, double base_mm, Features& f)
+{
+  const double cxx = s.xx - s.x * s.x / s.n;
+  const double cxy = s.xy - s.x * s.y / s.n;
+  const double cyy = s.yy - s.y * s.y / s.n;
+  const double cxz = s.xz - s.x * s.z / s.n;
+  const double cyz = s.yz - s.y * s.z / s.n;
+  const double determinant = cxx * cyy - cxy * cxy;
+  const double scatter = cxx + cyy;
+  f.has_plane = determinant > kSingular * scatter * scatter;
+  if (f.has_plane)
+  {
+    f.A = (cxz * cyy - cyz * cxy) / determinant;
+    f.B = (cyz * cxx - cxz * cxy) / determinant;
+    f.C_m = (base_mm + (s.z - f.A * s.x - f.B * s.y) / s.n) * kMetres;
+  }
+}
+
+double tan2(double degrees)
+{
+  const double tangent = std::tan(degrees / kDegrees);
+  return degrees >= 90 ? std::numeric_limits<double>::infinity() : tangent * tangent;
+}
+}  // namespace
+
+double Features::slope_deg() const
+{
+  return has_plane ? std::atan(std::sqrt(tan2Slope())) * kDegrees
+                   : std::numeric_limits<double>::quiet_NaN();
+}
+
+Features featuresOf(
+    const layers::HeightSlabs& slabs, const layers::HeightSlab* lowest, const SlabReading& reading)
+{
+  Features f;
+  if (lowest == nullptr)
+  {
+    return f;
+  }
+  const int64_t base_mm = int64_t{lowest->level} * reading.slab_mm;
+  int64_t top_mm = base_mm;
+  Sums sums;
+  f.last_seen = lowest->last_seen;
+  for (const layers::HeightSlab* s = lowest; s != nullptr; s = slabs.get(s->next))
+  {
+    const int64_t bottom_mm = int64_t{s->level} * reading.slab_mm;
+    const int64_t gap_mm = bottom_mm + s->min_z_mm - top_mm;
+    if (s != lowest && reading.ignore_overhangs && gap_mm >= reading.clearance_mm)
+    {
+      break;
+    }
+    top_mm = bottom_mm + s->max_z_mm;
+    f.n += s->n;
+    f.last_seen = std::max(f.last_seen, s->last_seen);
+    sums.add(*s, static_cast<double>(bottom_mm - base_mm));
+  }
+  const auto base = static_cast<double>(base_mm);
+  const double mean_mm = sums.z / sums.n;  // (1)
+  const double max_mm = static_cast<double>(top_mm - base_mm);
+  const double min_mm = lowest->min_z_mm;
+  f.mean_m = (base + mean_mm) * kMetres;
+  f.min_m = (base + min_mm) * kMetres;
+  f.max_m = (base + max_mm) * kMetres;
+  f.deviation_m = std::max(max_mm - mean_mm, mean_mm - min_mm) * kMetres;                   // (2)
+  f.variance_m2 = std::max(0.0, sums.zz / sums.n - mean_mm * mean_mm) * kMetres * kMetres;  // (5)
+  fitPlane(sums, base, f);                                                                  // (3)
+  return f;
+}
+
+Classifier::Classifier(const Params& params) :
+    min_points_(static_cast<uint64_t>(params.min_points)), limits_()
+{
+  const std::array<ClassLimits, 3> given = {
+      params.flat, params.small_roughness, params.large_roughness};
+  for (size_t i = 0; i < given.size(); ++i)
+  {
+    limits_[i] = {given[i].deviation_m, tan2(given[i].slope_deg), given[i].variance_m2};
+  }
+}
+
+Class Classifier::worstOf(double deviation_m, double variance_m2, double tan2_slope) const
+{
+  for (size_t i = 0; i < limits_.size(); ++i)
+  {
+    const Limits& most = limits_[i];
+    if (deviation_m <= most.deviation_m && variance_m2 <= most.variance_m2 &&
+        tan2_slope <= most.tan2_slope)
+    {
+      return static_cast<Class>(static_cast<size_t>(Class::flat) + i);
+    }
+  }
+  return Class::obstacle;
+}
+
+Class Classifier::operator()(const Features& f) const
+{
+  if (f.n < min_points_)
+  {
+    return Class::undefined;
+  }
+  if (f.has_plane)
+  {
+    return worstOf(f.deviation_m, f.variance_m2, f.tan2Slope());
+  }
+  const Class without_slope = worstOf(f.deviation_m, f.variance_m2, 0);
+  return without_slope == Class::obstacle ? Class::obstacle : Class::undefined;
+}
+
+uint8_t indexOf(Class of, const Params& params)
+{
+  switch (of)
+  {
+    case Class::flat:
+      return static_cast<uint8_t>(params.index_flat);
+    case Class::small_roughness:
+      return static_cast<uint8_t>(params.index_small_roughness);
+    case Class::large_roughness:
+      return static_cast<uint8_t>(params.index_large_roughness);
+    case Class::obstacle:
+      return 100;
+    case Class::undefined:
+      break;
+  }
+  return kNoIndex;
+}
+}  // namespace traverse::traversability_grid

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/traversability_grid/state.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace traverse::traversability_grid
+{
+namespace
+{
+constexpr size_t kBytesPerMb = 1'000'000;
+
+int64_t millimetres(double metres)
+{
+  return geometry::toMillimetres(metres);
+}
+
+void clearCell(State& state, Cells::Place place)
+{
+  Cell& cell = state.cells.at(place);
+  if (cell.slabs != layers::HeightSlabs::kNone)
+  {
+    state.slabs.release(cell.slabs);
+    --state.occupied;
+  }
+  cell = Cell{};
+}
+}  // namespace
+
+ClassRule classRule(const Params& params, const geometry::Vehicle& vehicle)
+{
+  ClassRule rule;
+  rule.params.classifier = params.classifier;
+  rule.params.min_points = params.min_points;
+  rule.params.ignore_overhangs = params.ignore_overhangs;
+  rule.params.flat = params.flat;
+  rule.params.small_roughness = params.small_roughness;
+  rule.params.large_roughness = params.large_roughness;
+  rule.params.index_flat = params.index_flat;
+  rule.params.index_small_roughness = params.index_small_roughness;
+  rule.params.index_large_roughness = params.index_large_roughness;
+  rule.clearance_mm = millimetres(vehicle.height_m);
+  return rule;
+}
+
+State makeState(const Params& params, const geometry::Vehicle& vehicle)
+{
+  check(params);
+  options::check(vehicle);
+  State state;
+  state.lattice.cell_mm = static_cast<int32_t>(millimetres(params.cell_size_m));
+  state.slab_mm = static_cast<int32_t>(
+      std::min(millimetres(params.slab_height_m), millimetres(vehicle.height_m)));
+  state.slabs.setMost(mostSlabs(params));
+  state.rule = classRule(params, vehicle);
+  return state;
+}
+
+size_t mostTiles(const Params& params)
+{
+  return std::max<size_t>(
+      1, static_cast<size_t>(params.max_memory_mb) * kBytesPerMb / 4 / Cells::kTileBytes);
+}
+
+size_t mostSlabs(const Params& params)
+{
+  return static_cast<size_t>(params.max_memory_mb) * kBytesPerMb / 4 * 3 /
+         sizeof(layers::HeightSlab);
+}
+
+SlabReading slabReading(const State& state, const Params& params, const geometry::Vehicle& vehicle)
+{
+  return {state.slab_mm, millimetres(vehicle.height_m), params.ignore_overhangs};
+}
+
+std::optional<Cells::Place> addPoint(
+    State& state, const LatticePoint& point, poses::TimeNs stamp, size_t most_tiles)
+{
+  const std::optional<Cells::Place> place = state.cells.obtain(point.cell, most_tiles);
+  if (!place)
+  {
+    return std::nullopt;
+  }
+  Cell& cell = state.cells.at(*place);
+  const bool is_new = cell.slabs == layers::HeightSlabs::kNone;
+  layers::HeightSlab* slab = state.slabs.obtain(cell.slabs, point.level);
+  if (slab == nullptr || slab->n == layers::HeightSlab::kMostPoints)
+  {
+    return std::nullopt;
+  }
+  state.occupied += static_cast<size_t>(is_new);
+  slab->add(point.inside, stamp);
+  return place;
+}
+
+void clearCells(State& state)
+{
+  if (state.touched.size() == state.occupied)
+  {
+    for (const Cells::Place place : state.touched)
+    {
+      clearCell(state, place);
+    }
+  }
+  else
+  {
+    state.cells.clear();
+    state.slabs.clear();
+    state.occupied = 0;
+  }
+  state.touched.clear();
+}
+
+void moveWindow(State& state, const geometry::CellRect& window)
+{
+  const std::optional<geometry::CellRect> old = std::exchange(state.window, window);
+  if (!old || *old == window)
+  {
+    return;
+  }
+  const geometry::CellRect kept = Cells::intersection(*old, window);
+  if (kept.empty())
+  {
+    state.cells.clear();
+    state.slabs.clear();
+    state.occupied = 0;
+    return;
+  }
+  const std::array<geometry::CellRect, 4> gone = {
+      geometry::CellRect{old->min, {old->max.x, kept.min.y}},
+      geometry::CellRect{{old->min.x, kept.max.y}, old->max},
+      geometry::CellRect{{old->min.x, kept.min.y}, {kept.min.x, kept.max.y}},
+      geometry::CellRect{{kept.max.x, kept.min.y}, {old->max.x, kept.max.y}}};
+  for (const geometry::CellRect& strip : gone)
+  {
+    state.cells.forEachIn(strip, [&](Cells::Place place) { clearCell(state, place); });
+    state.cells.releaseTiles(strip, window);
+  }
+}
+
+void reclassify(State& state, const Params& params, const geometry::Vehicle& vehicle)
+{
+  const Classifier classify(params);
+  const SlabReading reading = slabReading(state, params, vehicle);
+  state.cells.forEach(
+      [&](Cells::Place place)
+      {
+        Cell& cell = state.cells.at(place);
+        cell.of = classify(featuresOf(state.slabs, state.slabs.get(cell.slabs), reading));
+        cell.index = indexOf(cell.of, params);
+      });
+  state.rule = classRule(params, vehicle);
+}
+}  // namespace traverse::traversability_grid

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "projection.h"
+
+#include <traverse/traversability_grid/traversability_grid.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace traverse::traversability_grid
+{
+namespace
+{
+/** An empty map takes the options as they are now; one with points must have been made with the
+ * same lattice. */
+void adopt(State& state, const Params& params, const geometry::Vehicle& vehicle)
+{
+  const State fresh = makeState(params, vehicle);
+  const bool same_lattice = state.lattice == fresh.lattice && state.slab_mm == fresh.slab_mm;
+  if (!state.empty() && !same_lattice)
+  {
+    throw std::invalid_argument(
+        "a traversability grid with points keeps its cell_size_m and slab height; clear it first");
+  }
+  state.lattice = fresh.lattice;
+  state.slab_mm = fresh.slab_mm;
+  state.slabs.setMost(mostSlabs(params));
+  if (!(state.rule == fresh.rule))
+  {
+    reclassify(state, params, vehicle);
+  }
+}
+
+/** What this scan's coming makes the map forget. */
+void makeRoom(State& state, const geometry::CellRect& neighbourhood, const Params& params)
+{
+  if (params.mode == Mode::single_cloud)
+  {
+    clearCells(state);
+  }
+  if (params.mode == Mode::single_cloud || params.extent == Extent::rolling)
+  {
+    moveWindow(state, neighbourhood);
+  }
+  else
+  {
+    state.window.reset();
+  }
+}
+
+/** Step 3: adds the points to their cells, and lists those cells. */
+void collect(State& state, poses::TimeNs stamp, const Params& params, layers::UpdateStats& stats)
+{
+  const size_t most_tiles = mostTiles(params);
+  state.touched.clear();
+  for (const LatticePoint& point : state.projected)
+  {
+    const std::optional<Cells::Place> place = addPoint(state, point, stamp, most_tiles);
+    if (!place)
+    {
+      ++stats.over_budget;
+      continue;
+    }
+    ++stats.points;
+    Cell& cell = state.cells.at(*place);
+    if (!cell.touched)
+    {
+      cell.touched = true;
+      state.touched.push_back(*place);
+    }
+  }
+  state.projected.clear();
+  stats.touched_cells = state.touched.size();
+  stats.inserted = stats.points > 0;
+}
+
+void rememberRobot(State& state, poses::TimeNs stamp, const Eigen::Isometry3d& T_map_base)
+{
+  if (!state.robot || stamp >= state.robot->time)
+  {
+    state.robot = poses::StampedPose{stamp, T_map_base};
+  }
+}
+}  // namespace
+
+layers::UpdateStats update(
+    State& state,
+    const points::Scan& scan,
+    const Eigen::Isometry3d& T_map_base,
+    const Params& params,
+    const geometry::Vehicle& vehicle)
+{
+  layers::UpdateStats stats;
+  adopt(state, params, vehicle);
+  const std::optional<Projection> projection = Projection::at(T_map_base, state, params);
+  stats.no_pose = !projection;
+  if (!projection)
+  {
+    return stats;
+  }
+  projection->project(scan, state.projected, stats);  // steps 1 and 2
+  if (state.projected.empty())
+  {
+    return stats;
+  }
+  makeRoom(state, projection->neighbourhood(), params);
+  collect(state, scan.stamp, params, stats);  // step 3
+  rememberRobot(state, scan.stamp, T_map_base);
+
+  const Classifier classify(params);
+  const SlabReading reading = slabReading(state, params, vehicle);
+  for (const Cells::Place place : state.touched)
+  {
+    Cell& cell = state.cells.at(place);
+    const Features features =
+        featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);  // step 4
+    cell.of = classify(features);                                       // step 5
+    cell.index = indexOf(cell.of, params);                              // step 6
+    cell.touched = false;
+  }
+  return stats;
+}
+
+void advance(State& /*state*/, poses::TimeNs /*time*/) {}
+}  // namespace traverse::traversability_grid
