@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report_page.h"
+
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+namespace
+{
+using formats::readableNumber;
+
+formats::Table countTable(
+    const std::string& caption, const std::string& what, const std::map<std::string, uint64_t>& counts)
+{
+  formats::Table table{caption, {what, "number"}, {}};
+  for (const auto& [name, count] : counts)
+  {
+    table.rows.push_back({name, readableNumber(static_cast<double>(count))});
+  }
+  return table;
+}
+
+std::map<std::string, uint64_t> rejectsByReason(const RunMetrics& metrics)
+{
+  std::map<std::string, uint64_t> counts;
+  for (size_t i = 0; i < points::kRejectCount; ++i)
+  {
+    if (metrics.rejects.count[i] != 0)
+    {
+      counts[std::string(points::kRejectNames[i])] = metrics.rejects.count[i];
+    }
+  }
+  return counts;
+}
+
+double totalSeconds(const RunMetrics& metrics)
+{
+  double total = 0;
+  for (const auto& [stage, seconds] : metrics.times.seconds())
+  {
+    total += seconds;
+  }
+  return total;
+}
+
+formats::Section overview(const RunMetrics& metrics)
+{
+  formats::Section section{"Overview", {}};
+  for (const std::string& problem : metrics.problems)
+  {
+    section.blocks.emplace_back(formats::Notice{"Partial: " + problem});
+  }
+  for (const std::string& warning : metrics.warnings)
+  {
+    section.blocks.emplace_back(formats::Notice{warning});
+  }
+  formats::KeyFigures figures;
+  figures.figures = {
+      {"scans", readableNumber(static_cast<double>(metrics.scans))},
+      {"points", readableNumber(static_cast<double>(metrics.points))},
+      {"seconds", readableNumber(totalSeconds(metrics))},
+      {"peak memory, MB", readableNumber(peakMemory_mb())}};
+  section.blocks.emplace_back(figures);
+  return section;
+}
+
+formats::Section inputs(const RunMetrics& metrics)
+{
+  formats::Section section{"What came in", {}};
+  section.blocks.emplace_back(countTable("Observations that became scans", "class", metrics.observations));
+  const std::vector<std::pair<std::string, std::map<std::string, uint64_t>>> tables = {
+      {"Observations left aside", metrics.ignored},
+      {"Observations rejected, and why", metrics.rejected},
+      {"Values that did not become points, by reason", rejectsByReason(metrics)},
+      {"Poses from " + metrics.pose_source, metrics.poses},
+      {"How the pose of a scan was found", metrics.pose_quality},
+      {"Motion within a scan", metrics.deskew}};
+  for (const auto& [caption, counts] : tables)
+  {
+    if (!counts.empty())
+    {
+      section.blocks.emplace_back(countTable(caption, "", counts));
+    }
+  }
+  return section;
+}
+
+formats::Section times(const RunMetrics& metrics)
+{
+  formats::BarChart chart{"Time per stage", "s", {}};
+  for (const auto& [stage, seconds] : metrics.times.seconds())
+  {
+    chart.bars.push_back({stage, seconds, std::nullopt});
+  }
+  return {"Time", {chart}};
+}
+
+formats::BarChart classChart(const MapMetrics& map, const layers::LayerSet& layers)
+{
+  formats::BarChart chart{"Cells by class", "cells", {}};
+  for (const auto& [name, count] : map.cells_by_class)
+  {
+    std::optional<layers::Colour> colour;
+    for (const layers::LegendEntry& entry : layers.legend)
+    {
+      colour = entry.name == name ? std::optional(entry.colour) : colour;
+    }
+    chart.bars.push_back({name, static_cast<double>(count), colour});
+  }
+  return chart;
+}
+}  // namespace
+
+formats::Section mapSection(
+    const MapMetrics& map, const layers::LayerSet& layers, std::vector<formats::Picture> pictures)
+{
+  formats::Section section{map.name, {}};
+  section.blocks.emplace_back(formats::Paragraph{fmt::format(
+      "{} scans with {} points in cells of {} m; {} points lay outside the map, {} scans had no valid pose.",
+      map.scans, readableNumber(static_cast<double>(map.points)), layers.lattice.cell_m(),
+      readableNumber(static_cast<double>(map.outside)), map.scans_no_pose)});
+  section.blocks.emplace_back(formats::Gallery{std::move(pictures)});
+  section.blocks.emplace_back(formats::Legend{layers.legend});
+  section.blocks.emplace_back(classChart(map, layers));
+  for (const layers::Layer& layer : layers.layers)
+  {
+    constexpr size_t kBins = 40;
+    if (const auto* values = std::get_if<std::vector<float>>(&layer.data))
+    {
+      formats::Histogram histogram = formats::histogramOf(*values, kBins, layer.name, layer.unit);
+      if (!histogram.counts.empty())
+      {
+        section.blocks.emplace_back(std::move(histogram));
+      }
+    }
+  }
+  return section;
+}
+
+std::string reportPage(
+    const Settings& settings, const RunMetrics& metrics, std::vector<formats::Section> maps)
+{
+  formats::Report report;
+  report.title = settings.run.title.empty() ? settings.rawlog.filename().string() : settings.run.title;
+  report.subtitle = settings.rawlog.string();
+  report.sections.push_back(overview(metrics));
+  for (formats::Section& map : maps)
+  {
+    report.sections.push_back(std::move(map));
+  }
+  report.sections.push_back(inputs(metrics));
+  report.sections.push_back(times(metrics));
+  report.footer = "traverse-map " TRAVERSE_VERSION;
+  return formats::html(report);
+}
+}  // namespace traverse::app

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "metrics.h"
+#include "settings.h"
+
+#include <traverse/formats/report.h>
+#include <traverse/layers/layer_set.h>
+
+#include <string>
+#include <vector>
+
+namespace traverse::app
+{
+/** The section of a map: pictures, legend, cells by class, histograms of its floating layers. */
+formats::Section mapSection(
+    const MapMetrics& map, const layers::LayerSet& layers, std::vector<formats::Picture> pictures);
+
+/** The whole page as HTML. */
+std::string reportPage(
+    const Settings& settings, const RunMetrics& metrics, std::vector<formats::Section> maps);
+}  // namespace traverse::app
