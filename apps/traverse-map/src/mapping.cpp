@@ -67,12 +67,14 @@ void takeReport(const logs::LogReport& report, RunMetrics& metrics)
   metrics.repeated_stamps = report.repeated_stamps;
   metrics.backward_stamps = report.backward_stamps;
   metrics.bad_stamps = report.bad_stamps;
-  if (!report.complete() && report.end != logs::LogEnd::reading && report.end != logs::LogEnd::stopped)
+  if (!report.complete() && report.end != logs::LogEnd::reading &&
+      report.end != logs::LogEnd::stopped)
   {
     metrics.complete = false;
     metrics.problems.push_back(report.damage);
   }
 }
+
 /** What a scan is mapped with. */
 struct Context
 {
@@ -80,15 +82,19 @@ struct Context
   const poses::PoseTrack& track;
 };
 
-void mapScan(points::Decoded& decoded, const Context& context, std::vector<BuiltMap>& maps, RunMetrics& metrics)
+void mapScan(
+    points::Decoded& decoded,
+    const Context& context,
+    std::vector<BuiltMap>& maps,
+    RunMetrics& metrics)
 {
   ++metrics.scans;
   metrics.points += decoded.scan.size();
   metrics.rejects += decoded.rejects;
   if (context.settings.run.deskew)
   {
-    ++metrics.deskew[nameOf(
-        metrics.times.during("deskew", [&] { return points::deskew(decoded.scan, context.track); }))];
+    ++metrics.deskew[nameOf(metrics.times.during(
+        "deskew", [&] { return points::deskew(decoded.scan, context.track); }))];
   }
   const auto pose = context.track.at(decoded.scan.stamp);
   ++metrics.pose_quality[pose ? nameOf(pose->quality) : "none"];

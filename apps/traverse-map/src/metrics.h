@@ -66,9 +66,9 @@ struct RunMetrics
   std::vector<std::string> warnings;
   uint64_t objects = 0;
   std::map<std::string, uint64_t> observations;  //!< by class: used
-  std::map<std::string, uint64_t> ignored;       //!< by class: no range measurement, or not asked for
-  std::map<std::string, uint64_t> rejected;      //!< by class and reason
-  points::RejectCounts rejects;                  //!< values of observations, by reason
+  std::map<std::string, uint64_t> ignored;   //!< by class: no range measurement, or not asked for
+  std::map<std::string, uint64_t> rejected;  //!< by class and reason
+  points::RejectCounts rejects;              //!< values of observations, by reason
   uint64_t repeated_stamps = 0;
   uint64_t backward_stamps = 0;
   uint64_t bad_stamps = 0;

@@ -7,26 +7,24 @@
 #include "settings.h"
 
 #include <traverse/formats/output_folder.h>
+#include <traverse/formats/report.h>
 #include <traverse/poses/pose_track.h>
+#include <traverse/rendering/offscreen.h>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace traverse::app
 {
-/** Pictures made during a run, for the report: file name and PNG bytes. */
-struct Picture
-{
-  std::string file;
-  std::string caption;
-  std::string png;
-};
-
 /** Where a run writes. Pictures need no display; where none can be made (no EGL), that is a warning
  * in the metrics, and layers, archive and report are written all the same. */
 class Outputs
 {
  public:
+  /** Throws formats::FileError where the folder cannot be written, or is there and may not be
+   * replaced. */
   Outputs(const Settings& settings, RunMetrics& metrics);
 
   /** Numbered pictures of all maps as they are at a time of the log. */
@@ -42,18 +40,25 @@ class Outputs
 
  private:
   void write(const std::string& name, const std::string& bytes);
-  void writeLayers(const BuiltMap& map, const layers::LayerSet& layers);
+  void writeLayers(const BuiltMap& map, const layers::LayerSet& set);
   void writePictures(
       const BuiltMap& map,
-      const layers::LayerSet& layers,
+      const layers::LayerSet& set,
       const poses::PoseTrack& track,
       poses::TimeNs time);
   void addPicture(const std::string& file, const std::string& caption, std::string png);
+  rendering::SceneContent sceneOf(
+      const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time) const;
+  rendering::PictureSize pictureSize() const;
+
+  /** Runs `draw`; a machine that cannot draw costs a warning, not the run. */
+  void drawn(const std::function<void()>& draw);
 
   const Settings& settings_;
   RunMetrics& metrics_;
   formats::OutputFolder folder_;
-  std::vector<Picture> pictures_;
+  std::vector<formats::Picture> pictures_;  // of the map that is being written
+  std::optional<poses::TimeNs> last_snapshot_;
   int snapshots_ = 0;
 };
 }  // namespace traverse::app

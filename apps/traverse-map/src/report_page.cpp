@@ -11,7 +11,9 @@ namespace
 using formats::readableNumber;
 
 formats::Table countTable(
-    const std::string& caption, const std::string& what, const std::map<std::string, uint64_t>& counts)
+    const std::string& caption,
+    const std::string& what,
+    const std::map<std::string, uint64_t>& counts)
 {
   formats::Table table{caption, {what, "number"}, {}};
   for (const auto& [name, count] : counts)
@@ -68,7 +70,8 @@ formats::Section overview(const RunMetrics& metrics)
 formats::Section inputs(const RunMetrics& metrics)
 {
   formats::Section section{"What came in", {}};
-  section.blocks.emplace_back(countTable("Observations that became scans", "class", metrics.observations));
+  section.blocks.emplace_back(
+      countTable("Observations that became scans", "class", metrics.observations));
   const std::vector<std::pair<std::string, std::map<std::string, uint64_t>>> tables = {
       {"Observations left aside", metrics.ignored},
       {"Observations rejected, and why", metrics.rejected},
@@ -117,7 +120,8 @@ formats::Section mapSection(
 {
   formats::Section section{map.name, {}};
   section.blocks.emplace_back(formats::Paragraph{fmt::format(
-      "{} scans with {} points in cells of {} m; {} points lay outside the map, {} scans had no valid pose.",
+      "{} scans with {} points in cells of {} m; {} points lay outside the map, {} scans had no "
+      "valid pose.",
       map.scans, readableNumber(static_cast<double>(map.points)), layers.lattice.cell_m(),
       readableNumber(static_cast<double>(map.outside)), map.scans_no_pose)});
   section.blocks.emplace_back(formats::Gallery{std::move(pictures)});
@@ -142,7 +146,8 @@ std::string reportPage(
     const Settings& settings, const RunMetrics& metrics, std::vector<formats::Section> maps)
 {
   formats::Report report;
-  report.title = settings.run.title.empty() ? settings.rawlog.filename().string() : settings.run.title;
+  report.title =
+      settings.run.title.empty() ? settings.rawlog.filename().string() : settings.run.title;
   report.subtitle = settings.rawlog.string();
   report.sections.push_back(overview(metrics));
   for (formats::Section& map : maps)

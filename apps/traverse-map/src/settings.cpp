@@ -146,6 +146,8 @@ Settings loadSettings(const Command& command)
   checkSections(settings, stock);
   settings.rawlog = inputFile(settings, command);
   settings.output = command.output.empty() ? settings.run.output : command.output;
+  settings.force = command.force;
+  settings.quiet = command.quiet;
   return settings;
 }
 }  // namespace traverse::app

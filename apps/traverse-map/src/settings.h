@@ -38,6 +38,7 @@ struct Settings
   std::vector<std::string> warnings;
   std::filesystem::path rawlog;
   std::filesystem::path output;
+  bool force = false;
   bool quiet = false;
 };
 

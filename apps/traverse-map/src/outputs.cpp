@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outputs.h"
+
+#include "report_page.h"
+
+#include <traverse/formats/geotiff.h>
+#include <traverse/formats/occupancy_image.h>
+#include <traverse/formats/png.h>
+#include <traverse/rendering/offscreen.h>
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+namespace
+{
+std::vector<std::pair<std::string, uint64_t>> cellsByClass(const layers::LayerSet& set)
+{
+  std::vector<std::pair<std::string, uint64_t>> counts;
+  for (const layers::LegendEntry& entry : set.legend)
+  {
+    counts.emplace_back(entry.name, 0);
+  }
+  const layers::Layer* classes = set.find(set.class_layer);
+  const auto* codes =
+      classes == nullptr ? nullptr : std::get_if<std::vector<uint8_t>>(&classes->data);
+  for (size_t i = 0; codes != nullptr && i < codes->size(); ++i)
+  {
+    for (size_t k = 0; k < set.legend.size(); ++k)
+    {
+      counts[k].second += static_cast<uint64_t>(set.legend[k].code == (*codes)[i]);
+    }
+  }
+  return counts;
+}
+}  // namespace
+
+Outputs::Outputs(const Settings& settings, RunMetrics& metrics) :
+    settings_(settings),
+    metrics_(metrics),
+    folder_(
+        settings.output, settings.force ? formats::Overwrite::replace : formats::Overwrite::refuse)
+{
+}
+
+void Outputs::write(const std::string& name, const std::string& bytes)
+{
+  folder_.write(name, bytes);
+  metrics_.files.push_back(name);
+}
+
+void Outputs::writeLayers(const BuiltMap& map, const layers::LayerSet& set)
+{
+  for (const layers::Layer& layer : set.layers)
+  {
+    write(fmt::format("{}{}.tif", layer.name, map.file_suffix), formats::geoTiff(set, layer));
+  }
+  const std::string class_name = set.class_layer + map.file_suffix;
+  const formats::OccupancyImage classes = formats::occupancyOfClasses(set, class_name + ".pgm");
+  write(class_name + ".pgm", classes.pgm);
+  write(class_name + ".yaml", classes.yaml);
+  if (const layers::Layer* index = set.find("traversability_index"))
+  {
+    const std::string name = index->name + map.file_suffix;
+    const formats::OccupancyImage image = formats::occupancyOfIndex(set, *index, name + ".pgm");
+    write(name + ".pgm", image.pgm);
+    write(name + ".yaml", image.yaml);
+  }
+}
+
+rendering::SceneContent Outputs::sceneOf(
+    const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time) const
+{
+  rendering::SceneContent content;
+  content.maps = {map.map.get()};
+  if (const auto pose = track.at(time))
+  {
+    content.T_map_base = pose->T_map_base;
+  }
+  if (track.moves())
+  {
+    for (const poses::StampedPose& p : track.poses())
+    {
+      if (p.time <= time)
+      {
+        content.trajectory.push_back(p.T_map_base.translation());
+      }
+    }
+  }
+  return content;
+}
+
+void Outputs::addPicture(const std::string& file, const std::string& caption, std::string png)
+{
+  write(file, png);
+  pictures_.push_back({std::move(png), caption, false});
+}
+
+rendering::PictureSize Outputs::pictureSize() const
+{
+  const int width = settings_.run.picture_width_px;
+  return {width, width * 3 / 4};
+}
+
+void Outputs::snapshot(
+    const std::vector<BuiltMap>& maps, const poses::PoseTrack& track, poses::TimeNs time)
+{
+  const double every_s = settings_.run.snapshot_every_s;
+  if (every_s <= 0 || (last_snapshot_ && poses::secondsBetween(*last_snapshot_, time) < every_s))
+  {
+    return;
+  }
+  last_snapshot_ = time;
+  ++snapshots_;
+  metrics_.times.during(
+      "pictures",
+      [&]
+      {
+        for (const BuiltMap& map : maps)
+        {
+          drawn(
+              [&]
+              {
+                const formats::Raster picture =
+                    rendering::renderTopView(sceneOf(map, track, time), {}, pictureSize());
+                write(
+                    fmt::format("snapshot{}_{:04}.png", map.file_suffix, snapshots_),
+                    formats::png(picture));
+              });
+        }
+      });
+}
+
+void Outputs::writePictures(
+    const BuiltMap& map,
+    const layers::LayerSet& set,
+    const poses::PoseTrack& track,
+    poses::TimeNs time)
+{
+  const rendering::SceneContent content = sceneOf(map, track, time);
+  const rendering::Overlay overlay{map.name, set.legend, true};
+  drawn(
+      [&]
+      {
+        const formats::Raster top = rendering::renderTopView(content, overlay, pictureSize());
+        addPicture(
+            fmt::format("map_top{}.png", map.file_suffix), "Seen from above, north up.",
+            formats::png(top));
+        const formats::Raster view = rendering::renderPerspective(content, overlay, pictureSize());
+        addPicture(
+            fmt::format("map_3d{}.png", map.file_suffix), "In perspective.", formats::png(view));
+      });
+  if (settings_.run.scene)
+  {
+    write(fmt::format("map{}.3Dscene", map.file_suffix), rendering::sceneFile(content));
+  }
+}
+
+void Outputs::finish(
+    const std::vector<BuiltMap>& maps, const poses::PoseTrack& track, poses::TimeNs last_stamp)
+{
+  std::vector<formats::Section> sections;
+  for (size_t i = 0; i < maps.size(); ++i)
+  {
+    const BuiltMap& map = maps[i];
+    const layers::LayerSet set =
+        metrics_.times.during("layers", [&] { return map.consumer->layerSet(); });
+    metrics_.maps[i].cells_by_class = cellsByClass(set);
+    metrics_.times.during(
+        "write", [&] { write("map" + map.file_suffix + ".traverse", map.consumer->archive()); });
+    if (set.extent.empty())
+    {
+      metrics_.warnings.push_back(
+          metrics_.maps[i].name + ": the map is empty, so it has no layers and pictures");
+      continue;
+    }
+    metrics_.times.during("write", [&] { writeLayers(map, set); });
+    metrics_.times.during("pictures", [&] { writePictures(map, set, track, last_stamp); });
+    sections.push_back(mapSection(metrics_.maps[i], set, std::move(pictures_)));
+    pictures_.clear();
+  }
+  write("report.html", reportPage(settings_, metrics_, std::move(sections)));
+  metrics_.files.emplace_back("metrics.json");
+  folder_.write("metrics.json", toJson(metrics_));
+  folder_.commit();
+}
+
+void Outputs::drawn(const std::function<void()>& draw)
+{
+  try
+  {
+    draw();
+  }
+  catch (const rendering::RenderError& e)
+  {
+    const std::string warning = fmt::format("no pictures: {}", e.what());
+    if (std::find(metrics_.warnings.begin(), metrics_.warnings.end(), warning) ==
+        metrics_.warnings.end())
+    {
+      metrics_.warnings.push_back(warning);
+    }
+  }
+}
+}  // namespace traverse::app

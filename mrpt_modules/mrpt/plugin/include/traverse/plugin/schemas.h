@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/options/option.h>
+
+#include <string>
+#include <vector>
+
+namespace traverse::plugin
+{
+/** One ini section of a map: [<maps section>_<map name>_<index>_<suffix>]. */
+struct SectionSchema
+{
+  std::string suffix;
+  std::string meaning;
+  std::vector<options::Row> rows;  //!< every key with its default
+};
+
+/** What a map's sections may hold, for reference.ini, the options tables and the check of section names. */
+struct MapSchema
+{
+  std::string name;  //!< as in `name`_count
+  std::vector<SectionSchema> sections;
+};
+
+/** All maps of this library. */
+std::vector<MapSchema> mapSchemas();
+}  // namespace traverse::plugin
