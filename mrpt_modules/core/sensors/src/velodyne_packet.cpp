@@ -10,9 +10,7 @@ namespace traverse::sensors
 namespace
 {
 constexpr size_t kBlockBytes = 100;
-constexpr size_t kRecordBytes = 3;
 constexpr size_t kAzimuthAt = 2;  // in a block, after its id
-constexpr size_t kRecordsAt = 4;
 constexpr size_t kTimeAt = 1200;  // in the packet
 constexpr size_t kModeAt = 1204;
 constexpr size_t kModelAt = 1205;
@@ -140,11 +138,5 @@ uint16_t VelodyneData::azimuthStep(int group) const
     }
   }
   return 0;
-}
-
-VelodyneReturn VelodyneData::record(int block, int index) const
-{
-  const size_t at = blockAt(block) + kRecordsAt + static_cast<size_t>(index) * kRecordBytes;
-  return {uint16At(bytes_, at), bytes_[at + 2]};
 }
 }  // namespace traverse::sensors

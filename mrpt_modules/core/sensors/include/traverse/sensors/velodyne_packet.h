@@ -51,7 +51,11 @@ class VelodyneData
   uint16_t azimuthStep(int group) const;
 
   /** The record of a block, 0..11, in the packet's order: 0..31. */
-  VelodyneReturn record(int block, int index) const;
+  VelodyneReturn record(int block, int index) const
+  {
+    const size_t at = static_cast<size_t>(block) * 100 + 4 + static_cast<size_t>(index) * 3;
+    return {static_cast<uint16_t>(bytes_[at] | bytes_[at + 1] << 8), bytes_[at + 2]};
+  }
 
  private:
   VelodyneData() = default;
