@@ -50,7 +50,7 @@ struct Both
     const sensors::VelodyneTiming t = sensors::timingOf(model);
     const auto in_block = static_cast<int>(record[i]);
     return 1e-9 * static_cast<double>(
-                      in_block / t.lasers * t.sequence_ns + t.firing_ns(in_block % t.lasers));
+                      in_block / t.lasers * t.sequence_ns + t.firingNs(in_block % t.lasers));
   }
 
   /** The time of a record within its block as the package has it. */
@@ -80,7 +80,7 @@ void findRecords(const Capture& capture, Both& both)
     for (int block = 0; block < sensors::kVelodyneBlocks; ++block)
     {
       const double rate = data->azimuthStep(block) / 100.0 /
-                          (1e-9 * static_cast<double>(sensors::timingOf(both.model).block_ns()));
+                          (1e-9 * static_cast<double>(sensors::timingOf(both.model).blockNs()));
       for (int record = 0; record < sensors::kVelodyneRecords; ++record)
       {
         if (data->record(block, record).distance != 0)

@@ -64,7 +64,7 @@ class Identity
     {
       for (int laser = 0; laser < timing_.lasers; ++laser)
       {
-        const int64_t t_ns = sequence * timing_.sequence_ns + timing_.firing_ns(laser);
+        const int64_t t_ns = sequence * timing_.sequence_ns + timing_.firingNs(laser);
         ASSERT_NO_FATAL_FAILURE(checkFiring(laser, 1e-9 * static_cast<double>(t_ns)));
       }
     }

@@ -43,7 +43,7 @@ struct SimulatedVelodyne
   {
     const sensors::VelodyneTiming timing = sensors::timingOf(model);
     const int per_group = mode == sensors::ReturnMode::dual ? 2 : 1;
-    const int64_t packet_ns = sensors::kVelodyneBlocks / per_group * timing.block_ns();
+    const int64_t packet_ns = sensors::kVelodyneBlocks / per_group * timing.blockNs();
     Capture capture;
     for (int p = 0; p < packets; ++p)
     {
@@ -54,7 +54,7 @@ struct SimulatedVelodyne
           static_cast<uint32_t>((start_us + (p * packet_ns + 500) / 1000) % 3'600'000'000);
       for (int block = 0; block < sensors::kVelodyneBlocks; ++block)
       {
-        const int64_t start_ns = p * packet_ns + block / per_group * timing.block_ns();
+        const int64_t start_ns = p * packet_ns + block / per_group * timing.blockNs();
         fill(content.blocks[static_cast<size_t>(block)], start_ns, block % per_group, world);
       }
       const auto bytes = sensors::encodeVelodyne(content);
@@ -74,7 +74,7 @@ struct SimulatedVelodyne
     {
       const int laser = i % timing.lasers;
       const int64_t t_ns =
-          start_ns + i / timing.lasers * timing.sequence_ns + timing.firing_ns(laser);
+          start_ns + i / timing.lasers * timing.sequence_ns + timing.firingNs(laser);
       block.records[static_cast<size_t>(i)] =
           world(laser, 1e-9 * static_cast<double>(t_ns))[static_cast<size_t>(which_return)];
     }

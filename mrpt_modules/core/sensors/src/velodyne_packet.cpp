@@ -68,7 +68,7 @@ bool isPlausibleStep(int step_hundredths, VelodyneModel model)
   constexpr int64_t kMaxTurnsPerSecond = 40;
   constexpr int64_t kNsPerSecond = 1'000'000'000;
   return step_hundredths * kNsPerSecond <=
-         kMaxTurnsPerSecond * kHundredthsPerTurn * timingOf(model).block_ns();
+         kMaxTurnsPerSecond * kHundredthsPerTurn * timingOf(model).blockNs();
 }
 }  // namespace
 

@@ -36,7 +36,7 @@ class VelodyneData
 
   /** Microseconds since the top of the hour of the first firing; a broken clock may give more than
    * an hour. */
-  uint32_t time_us() const { return time_us_; }
+  uint32_t timeUs() const { return time_us_; }
 
   int blocksPerGroup() const { return mode_ == ReturnMode::dual ? 2 : 1; }
 
