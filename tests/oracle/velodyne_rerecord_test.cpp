@@ -15,8 +15,10 @@
 
 namespace
 {
-const std::filesystem::path kRecorded =
-    std::filesystem::path(TRAVERSE_SOURCE_DIR) / "tests/oracle/velodyne_cloud";
+std::filesystem::path recordedFile(const std::string& name)
+{
+  return std::filesystem::path(TRAVERSE_SOURCE_DIR) / "tests/oracle/velodyne_cloud" / name;
+}
 
 bool runs(const std::string& command)
 {
@@ -48,12 +50,12 @@ class Rerecording : public ::testing::Test
   {
     TRAVERSE_NEEDS(input);
     const std::string command = "cd " + folder_.string() + " && node " +
-                                (kRecorded / "record.js").string() + " " + std::to_string(every) +
+                                recordedFile("record.js").string() + " " + std::to_string(every) +
                                 " '" + input.string() + "' " + recorded;
     ASSERT_TRUE(runs(command)) << command;
     const auto now = traverse::testing::bytesOf(folder_ / recorded);
     ASSERT_GT(now.size(), 1000U);
-    EXPECT_TRUE(now == traverse::testing::bytesOf(kRecorded / recorded)) << recorded;
+    EXPECT_TRUE(now == traverse::testing::bytesOf(recordedFile(recorded))) << recorded;
   }
 
   std::filesystem::path folder_ =

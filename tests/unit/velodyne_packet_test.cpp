@@ -11,10 +11,10 @@
 #include <cmath>
 #include <limits>
 
+namespace traverse::sensors
+{
 namespace
 {
-using namespace traverse::sensors;
-
 /** A packet of a sensor that turns by so many hundredths of a degree per block. */
 VelodynePacketContent turning(VelodyneModel model, int step_hundredths, int start = 100)
 {
@@ -235,3 +235,4 @@ TEST(VelodyneEncode, RoundsDistances)
   EXPECT_EQ(countOfDistance(-1, 0.002), 0);
 }
 }  // namespace
+}  // namespace traverse::sensors
