@@ -13,13 +13,12 @@
 #include <cmath>
 #include <set>
 
+namespace traverse::testing
+{
 namespace
 {
-using namespace traverse;
 using points::Decoded;
 using points::Reject;
-using traverse::testing::Capture;
-using traverse::testing::sharedData;
 
 constexpr auto kHdl32e = sensors::VelodyneModel::hdl32e;
 
@@ -30,7 +29,7 @@ class VelodyneCaptures : public ::testing::Test
 
   static Capture captureOf(const std::string& name)
   {
-    return traverse::testing::captureInPcap(sharedData("velodyne-pcap/" + name));
+    return captureInPcap(sharedData("velodyne-pcap/" + name));
   }
 };
 
@@ -47,6 +46,7 @@ std::vector<double> distancesFromTheirPlane(const std::vector<Eigen::Vector3d>& 
   }
   const Eigen::Vector3d plane = normal.ldlt().solve(right);
   std::vector<double> distances;
+  distances.reserve(points.size());
   for (const Eigen::Vector3d& p : points)
   {
     distances.push_back(std::abs(p.z() - plane.dot(Eigen::Vector3d(p.x(), p.y(), 1))));
@@ -132,9 +132,9 @@ TEST_F(VelodyneCaptures, TheVlp32cImageIsHalfATurnOfItsField)
 
 TEST(VelodyneLog, IsATurnOfATenthOfASecond)
 {
-  const std::string file = traverse::testing::mrptData("test_velodyne_VLP16.rawlog");
+  const std::string file = mrptData("test_velodyne_VLP16.rawlog");
   TRAVERSE_NEEDS(file);
-  const Decoded out = decode(traverse::testing::captureInRawlog(file));
+  const Decoded out = decode(captureInRawlog(file));
   const auto [first, last] = std::minmax_element(out.scan.time_s.begin(), out.scan.time_s.end());
   EXPECT_GE(*first, 0);
   // 75 packets of 1327.1 us, less what the last laser does not wait.
@@ -145,3 +145,4 @@ TEST(VelodyneLog, IsATurnOfATenthOfASecond)
   expectMonotoneTimesPerLaser(out);
 }
 }  // namespace
+}  // namespace traverse::testing

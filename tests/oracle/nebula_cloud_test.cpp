@@ -19,16 +19,17 @@
 #include <numbers>
 #include <string_view>
 
+namespace traverse::testing
+{
 namespace
 {
-using namespace traverse;
 
 using Point = std::array<float, 3>;
 
 std::vector<Point> referenceCloud(const std::filesystem::path& file)
 {
   constexpr std::string_view kBeforeData = "DATA binary\n";
-  const std::vector<uint8_t> bytes = traverse::testing::bytesOf(file);
+  const std::vector<uint8_t> bytes = bytesOf(file);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const size_t header = text.find(kBeforeData);
   if (header == std::string_view::npos)
@@ -49,21 +50,28 @@ struct Origin
   double step_hundredths = 0;
 };
 
-std::vector<Origin> originsOf(const traverse::testing::Capture& capture)
+void appendOrigins(const sensors::VelodyneData& data, std::vector<Origin>& origins)
+{
+  for (int block = 0; block < sensors::kVelodyneBlocks; ++block)
+  {
+    for (int laser = 0; laser < sensors::kVelodyneRecords; ++laser)
+    {
+      if (data.record(block, laser).distance != 0)
+      {
+        origins.push_back({block, laser, static_cast<double>(data.azimuthStep(block))});
+      }
+    }
+  }
+}
+
+std::vector<Origin> originsOf(const Capture& capture)
 {
   std::vector<Origin> origins;
   for (const auto& packet : capture.packets)
   {
-    const auto data = sensors::VelodyneData::check(packet);
-    for (int block = 0; data && block < sensors::kVelodyneBlocks; ++block)
+    if (const auto data = sensors::VelodyneData::check(packet))
     {
-      for (int laser = 0; laser < sensors::kVelodyneRecords; ++laser)
-      {
-        if (data->record(block, laser).distance != 0)
-        {
-          origins.push_back({block, laser, static_cast<double>(data->azimuthStep(block))});
-        }
-      }
+      appendOrigins(*data, origins);
     }
   }
   return origins;
@@ -74,7 +82,8 @@ double correction(const Origin& at)
 {
   const bool is_last = at.block == sensors::kVelodyneBlocks - 1;
   const double theirs = is_last ? 0 : std::round(at.step_hundredths * at.laser / 24.0);
-  const double manual = at.step_hundredths * (at.laser / 2) / 24.0;  // 2.304 us of 55.296 a pair
+  const int pair = at.laser / 2;
+  const double manual = at.step_hundredths * pair / 24.0;  // 2.304 us of 55.296 a pair
   return (manual - theirs) * 0.01 * std::numbers::pi / 180;
 }
 
@@ -85,9 +94,9 @@ double rangeOf(const Point& p)
 
 TEST(NebulasVlp32c, IsDecodedAlike)
 {
-  const auto folder = traverse::testing::sharedData("velodyne-pcap");
+  const auto folder = sharedData("velodyne-pcap");
   TRAVERSE_NEEDS(folder / "nebula_vlp32c_front.pcap.gz");
-  const auto capture = traverse::testing::captureInPcap(folder / "nebula_vlp32c_front.pcap.gz");
+  const auto capture = captureInPcap(folder / "nebula_vlp32c_front.pcap.gz");
   const auto reference = referenceCloud(folder / "nebula_vlp32c_1713492677464078412.pcd.gz");
   ASSERT_EQ(reference.size(), 26216U);
   const auto views = capture.views();
@@ -125,3 +134,4 @@ TEST(NebulasVlp32c, IsDecodedAlike)
   EXPECT_LE(elsewhere, 2U);
 }
 }  // namespace
+}  // namespace traverse::testing

@@ -20,14 +20,11 @@
 #include <cmath>
 #include <numbers>
 
+namespace traverse::testing
+{
 namespace
 {
-using namespace traverse;
 using sensors::VelodyneModel;
-using traverse::testing::Capture;
-using traverse::testing::mrptData;
-using traverse::testing::RecordedCloud;
-using traverse::testing::sharedData;
 
 struct Case
 {
@@ -45,16 +42,17 @@ struct Both
   std::vector<size_t> record;    // of each of our points: 0..31
   std::vector<double> rate_dps;  // of the turn, around each of our points
 
-  double firing_s(size_t i) const
+  /** Since the start of the block, s, by the manual. */
+  double firingTime(size_t i) const
   {
     const sensors::VelodyneTiming t = sensors::timingOf(model);
     const auto in_block = static_cast<int>(record[i]);
-    return 1e-9 * static_cast<double>(
-                      in_block / t.lasers * t.sequence_ns + t.firing_ns(in_block % t.lasers));
+    const int64_t ns = in_block / t.lasers * t.sequence_ns + t.firingNs(in_block % t.lasers);
+    return 1e-9 * static_cast<double>(ns);
   }
 
   /** The time of a record within its block as the package has it. */
-  double theirFiring_s(size_t i) const
+  double theirFiringTime(size_t i) const
   {
     const auto y = static_cast<double>(record[i]);
     switch (model)
@@ -70,6 +68,20 @@ struct Both
   }
 };
 
+void findRecordsOfBlock(const sensors::VelodyneData& data, int block, Both& both)
+{
+  const double rate = data.azimuthStep(block) / 100.0 /
+                      (1e-9 * static_cast<double>(sensors::timingOf(both.model).blockNs()));
+  for (int record = 0; record < sensors::kVelodyneRecords; ++record)
+  {
+    if (data.record(block, record).distance != 0)
+    {
+      both.record.push_back(static_cast<size_t>(record));
+      both.rate_dps.push_back(rate);
+    }
+  }
+}
+
 /** Walks over the raw records as both decoders do. */
 void findRecords(const Capture& capture, Both& both)
 {
@@ -79,23 +91,14 @@ void findRecords(const Capture& capture, Both& both)
     ASSERT_TRUE(data);
     for (int block = 0; block < sensors::kVelodyneBlocks; ++block)
     {
-      const double rate = data->azimuthStep(block) / 100.0 /
-                          (1e-9 * static_cast<double>(sensors::timingOf(both.model).block_ns()));
-      for (int record = 0; record < sensors::kVelodyneRecords; ++record)
-      {
-        if (data->record(block, record).distance != 0)
-        {
-          both.record.push_back(static_cast<size_t>(record));
-          both.rate_dps.push_back(rate);
-        }
-      }
+      findRecordsOfBlock(*data, block, both);
     }
   }
 }
 
 Both decodeBoth(const Case& c, const Capture& capture)
 {
-  Both both{c.model, {}, traverse::testing::recordedCloud(c.recorded), {}, {}};
+  Both both{c.model, {}, recordedCloud(c.recorded), {}, {}};
   points::VelodyneInput input;
   const auto views = capture.views();
   input.packets = views;
@@ -141,7 +144,7 @@ void expectSamePoint(const Both& both, const RecordedCloud::Point& theirs)
   // They write 0.1 mm; floats of up to 131 m add 4e-6 m.
   EXPECT_NEAR(scan.z[i], theirs.z_m, 1e-4);
   const double turned_rad =
-      both.rate_dps[i] * both.firing_s(i) * std::numbers::pi / 180;  // clockwise, since the block
+      both.rate_dps[i] * both.firingTime(i) * std::numbers::pi / 180;  // clockwise, since the block
   const double x = theirs.x_m * std::cos(turned_rad) + theirs.y_m * std::sin(turned_rad);
   const double y = theirs.y_m * std::cos(turned_rad) - theirs.x_m * std::sin(turned_rad);
   // Their 0.1 mm, and our azimuth's grid of 6.8e-7 rad.
@@ -149,7 +152,7 @@ void expectSamePoint(const Both& both, const RecordedCloud::Point& theirs)
   EXPECT_NEAR(scan.x[i], x, tolerance_m);
   EXPECT_NEAR(scan.y[i], y, tolerance_m);
   // Times are floats of up to 0.5 s (3e-8 s) here, whole nanoseconds there.
-  const double their_time_s = theirs.time_ns * 1e-9 - both.theirFiring_s(i) + both.firing_s(i);
+  const double their_time_s = theirs.time_ns * 1e-9 - both.theirFiringTime(i) + both.firingTime(i);
   EXPECT_NEAR(scan.time_s[i], their_time_s, 5e-8);
 }
 
@@ -161,8 +164,8 @@ TEST_P(VelodyneCloud, AgreesOnEveryRecordedPoint)
 {
   TRAVERSE_NEEDS(GetParam().packets);
   const bool is_rawlog = GetParam().packets.extension() == ".rawlog";
-  const Capture capture = is_rawlog ? traverse::testing::captureInRawlog(GetParam().packets)
-                                    : traverse::testing::captureInPcap(GetParam().packets);
+  const Capture capture =
+      is_rawlog ? captureInRawlog(GetParam().packets) : captureInPcap(GetParam().packets);
   const Both both = decodeBoth(GetParam(), capture);
   ASSERT_EQ(both.ours.scan.size(), capture.rawReturns());
   ASSERT_EQ(both.ours.scan.size(), both.theirs.count());
@@ -177,8 +180,10 @@ TEST_P(VelodyneCloud, AgreesOnEveryRecordedPoint)
   }
 }
 
-const std::filesystem::path kRecorded =
-    std::filesystem::path(TRAVERSE_SOURCE_DIR) / "tests/oracle/velodyne_cloud";
+std::filesystem::path recorded(const std::string& name)
+{
+  return std::filesystem::path(TRAVERSE_SOURCE_DIR) / "tests/oracle/velodyne_cloud" / name;
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Captures,
@@ -186,23 +191,23 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Case{
             VelodyneModel::vlp16, mrptData("test_velodyne_VLP16.rawlog"),
-            kRecorded / "debian_vlp16.csv.gz"},
+            recorded("debian_vlp16.csv.gz")},
         Case{
             VelodyneModel::vlp16, sharedData("velodyne-pcap/sample_velodyne_vlp16_gps.pcap"),
-            kRecorded / "sample_vlp16.csv"},
+            recorded("sample_vlp16.csv")},
         Case{
             VelodyneModel::hdl32e, sharedData("velodyne-pcap/sample_velodyne_hdl32.pcap"),
-            kRecorded / "sample_hdl32e.csv"},
+            recorded("sample_hdl32e.csv")},
         Case{
             VelodyneModel::vlp32c, sharedData("velodyne-pcap/nebula_vlp32c_front.pcap.gz"),
-            kRecorded / "nebula_vlp32c.csv"}),
+            recorded("nebula_vlp32c.csv")}),
     [](const auto& test) { return "Capture" + std::to_string(test.index); });
 
 TEST(DebiansVlp16Scan, YieldsEveryRawReturn)
 {
   const std::string file = mrptData("test_velodyne_VLP16.rawlog");
   TRAVERSE_NEEDS(file);
-  const Capture capture = traverse::testing::captureInRawlog(file);
+  const Capture capture = captureInRawlog(file);
   const auto views = capture.views();
   points::VelodyneInput input;
   input.packets = views;
@@ -213,3 +218,4 @@ TEST(DebiansVlp16Scan, YieldsEveryRawReturn)
   EXPECT_EQ(decoded.rejects.of(points::Reject::bad_packet), 0U);
 }
 }  // namespace
+}  // namespace traverse::testing

@@ -18,9 +18,10 @@
 #include <cmath>
 #include <map>
 
+namespace traverse::testing
+{
 namespace
 {
-using namespace traverse;
 using mrpt::obs::CObservationVelodyneScan;
 
 CObservationVelodyneScan::Ptr scanIn(const std::string& file)
@@ -42,26 +43,25 @@ class DebiansVlp16ScanInMrpt : public ::testing::Test
  protected:
   void SetUp() override
   {
-    const std::string file = traverse::testing::mrptData("test_velodyne_VLP16.rawlog");
+    const std::string file = mrptData("test_velodyne_VLP16.rawlog");
     TRAVERSE_NEEDS(file);
     scan_ = scanIn(file);
     ASSERT_TRUE(scan_);
-    capture_ = traverse::testing::captureInRawlog(file);
+    capture_ = captureInRawlog(file);
   }
 
   CObservationVelodyneScan::Ptr scan_;
-  traverse::testing::Capture capture_;
+  Capture capture_;
 };
 
 TEST_F(DebiansVlp16ScanInMrpt, HasThePacketsThatWeFind)
 {
   ASSERT_EQ(scan_->scan_packets.size(), capture_.packets.size());
-  for (size_t i = 0; i < capture_.packets.size(); ++i)
+  const auto* theirs = reinterpret_cast<const uint8_t*>(scan_->scan_packets.data());
+  for (const auto& packet : capture_.packets)
   {
-    EXPECT_EQ(
-        std::memcmp(
-            &scan_->scan_packets[i], capture_.packets[i].data(), sensors::kVelodynePacketBytes),
-        0);
+    EXPECT_TRUE(std::equal(packet.begin(), packet.end(), theirs));
+    theirs += packet.size();
   }
 }
 
@@ -119,3 +119,4 @@ TEST_F(DebiansVlp16ScanInMrpt, YieldsPointsThatAreAllAmongOurs)
   EXPECT_GE(ours.size(), 2 * theirs.size() - 30);
 }
 }  // namespace
+}  // namespace traverse::testing

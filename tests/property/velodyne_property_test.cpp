@@ -9,16 +9,14 @@
 #include <cmath>
 #include <random>
 
+namespace traverse::testing
+{
 namespace
 {
-using namespace traverse;
 using points::Decoded;
 using points::Reject;
 using sensors::ReturnMode;
 using sensors::VelodyneModel;
-using traverse::testing::Capture;
-using traverse::testing::decode;
-using traverse::testing::SimulatedVelodyne;
 
 using Pair = std::array<sensors::VelodyneReturn, 2>;
 
@@ -60,13 +58,11 @@ class Identity
 
   void check()
   {
-    for (int sequence = 0; sequence < sequences_; ++sequence)
+    for (int k = 0; k < sequences_ * timing_.lasers; ++k)
     {
-      for (int laser = 0; laser < timing_.lasers; ++laser)
-      {
-        const int64_t t_ns = sequence * timing_.sequence_ns + timing_.firing_ns(laser);
-        ASSERT_NO_FATAL_FAILURE(checkFiring(laser, 1e-9 * static_cast<double>(t_ns)));
-      }
+      const int laser = k % timing_.lasers;
+      const int64_t t_ns = k / timing_.lasers * timing_.sequence_ns + timing_.firingNs(laser);
+      ASSERT_NO_FATAL_FAILURE(checkFiring(laser, 1e-9 * static_cast<double>(t_ns)));
     }
     ASSERT_EQ(i_, scan_.size());
   }
@@ -282,3 +278,4 @@ TEST(VelodyneHostile, AbsurdCalibrationsMakeNoAbsurdImage)
   }
 }
 }  // namespace
+}  // namespace traverse::testing

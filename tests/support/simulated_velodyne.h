@@ -24,13 +24,13 @@ struct SimulatedVelodyne
   uint32_t start_us = 1'000'000;  //!< of the hour
 
   /** Encoder azimuth at a time, clockwise. */
-  double azimuth_deg(double t_s) const { return std::fmod(start_deg + rate_dps * t_s + 3600, 360); }
+  double azimuthDeg(double t_s) const { return std::fmod(start_deg + rate_dps * t_s + 3600, 360); }
 
   /** Where a laser looks at a time: a unit vector in the sensor frame. */
   Eigen::Vector3d direction(int laser, double t_s) const
   {
     const auto& l = sensors::factoryCalibration(model).lasers[static_cast<size_t>(laser)];
-    const double a = azimuth_deg(t_s) * std::numbers::pi / 180 + l.azimuth_offset_rad;
+    const double a = azimuthDeg(t_s) * std::numbers::pi / 180 + l.azimuth_offset_rad;
     return {
         std::cos(l.elevation_rad) * std::cos(a), -std::cos(l.elevation_rad) * std::sin(a),
         std::sin(l.elevation_rad)};
@@ -43,7 +43,7 @@ struct SimulatedVelodyne
   {
     const sensors::VelodyneTiming timing = sensors::timingOf(model);
     const int per_group = mode == sensors::ReturnMode::dual ? 2 : 1;
-    const int64_t packet_ns = sensors::kVelodyneBlocks / per_group * timing.block_ns();
+    const int64_t packet_ns = sensors::kVelodyneBlocks / per_group * timing.blockNs();
     Capture capture;
     for (int p = 0; p < packets; ++p)
     {
@@ -54,7 +54,7 @@ struct SimulatedVelodyne
           static_cast<uint32_t>((start_us + (p * packet_ns + 500) / 1000) % 3'600'000'000);
       for (int block = 0; block < sensors::kVelodyneBlocks; ++block)
       {
-        const int64_t start_ns = p * packet_ns + block / per_group * timing.block_ns();
+        const int64_t start_ns = p * packet_ns + block / per_group * timing.blockNs();
         fill(content.blocks[static_cast<size_t>(block)], start_ns, block % per_group, world);
       }
       const auto bytes = sensors::encodeVelodyne(content);
@@ -68,13 +68,13 @@ struct SimulatedVelodyne
       sensors::VelodyneBlock& block, int64_t start_ns, int which_return, const World& world) const
   {
     const sensors::VelodyneTiming timing = sensors::timingOf(model);
-    const double hundredths = azimuth_deg(1e-9 * static_cast<double>(start_ns)) * 100;
+    const double hundredths = azimuthDeg(1e-9 * static_cast<double>(start_ns)) * 100;
     block.azimuth = static_cast<uint16_t>(std::lround(hundredths) % 36000);
     for (int i = 0; i < sensors::kVelodyneRecords; ++i)
     {
       const int laser = i % timing.lasers;
       const int64_t t_ns =
-          start_ns + i / timing.lasers * timing.sequence_ns + timing.firing_ns(laser);
+          start_ns + i / timing.lasers * timing.sequence_ns + timing.firingNs(laser);
       block.records[static_cast<size_t>(i)] =
           world(laser, 1e-9 * static_cast<double>(t_ns))[static_cast<size_t>(which_return)];
     }

@@ -11,10 +11,10 @@
 #include <cmath>
 #include <limits>
 
+namespace traverse::sensors
+{
 namespace
 {
-using namespace traverse::sensors;
-
 /** A packet of a sensor that turns by so many hundredths of a degree per block. */
 VelodynePacketContent turning(VelodyneModel model, int step_hundredths, int start = 100)
 {
@@ -129,12 +129,12 @@ TEST(VelodyneTiming, FillsOneBlockAndLeavesTimeToRecharge)
   {
     const VelodyneTiming timing = timingOf(model);
     EXPECT_EQ(timing.lasers * timing.sequences_per_block, kVelodyneRecords);
-    EXPECT_LT(timing.firing_ns(timing.lasers - 1) + timing.slot_ns, timing.sequence_ns);
+    EXPECT_LT(timing.firingNs(timing.lasers - 1) + timing.slot_ns, timing.sequence_ns);
   }
-  EXPECT_EQ(timingOf(VelodyneModel::vlp16).block_ns(), 110'592);
-  EXPECT_EQ(timingOf(VelodyneModel::hdl32e).firing_ns(31), 35'712);
-  EXPECT_EQ(timingOf(VelodyneModel::vlp32c).firing_ns(1), 0);
-  EXPECT_EQ(timingOf(VelodyneModel::vlp32c).firing_ns(31), 34'560);
+  EXPECT_EQ(timingOf(VelodyneModel::vlp16).blockNs(), 110'592);
+  EXPECT_EQ(timingOf(VelodyneModel::hdl32e).firingNs(31), 35'712);
+  EXPECT_EQ(timingOf(VelodyneModel::vlp32c).firingNs(1), 0);
+  EXPECT_EQ(timingOf(VelodyneModel::vlp32c).firingNs(31), 34'560);
 }
 
 TEST(VelodyneData, ReadsWhatWasEncoded)
@@ -145,7 +145,7 @@ TEST(VelodyneData, ReadsWhatWasEncoded)
   ASSERT_TRUE(data);
   EXPECT_EQ(data->model(), VelodyneModel::vlp32c);
   EXPECT_EQ(data->mode(), ReturnMode::strongest);
-  EXPECT_EQ(data->time_us(), 3'599'999'000U);
+  EXPECT_EQ(data->timeUs(), 3'599'999'000U);
   for (int block = 0; block < kVelodyneBlocks; ++block)
   {
     EXPECT_EQ(data->azimuth(block), content.blocks[static_cast<size_t>(block)].azimuth);
@@ -235,3 +235,4 @@ TEST(VelodyneEncode, RoundsDistances)
   EXPECT_EQ(countOfDistance(-1, 0.002), 0);
 }
 }  // namespace
+}  // namespace traverse::sensors

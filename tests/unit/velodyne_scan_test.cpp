@@ -11,17 +11,15 @@
 #include <numbers>
 #include <set>
 
+namespace traverse::testing
+{
 namespace
 {
-using namespace traverse;
 using points::Beam;
 using points::Reject;
 using sensors::ReturnMode;
 using sensors::VelodyneModel;
 using sensors::VelodyneReturn;
-using traverse::testing::Capture;
-using traverse::testing::decode;
-using traverse::testing::SimulatedVelodyne;
 
 using Pair = std::array<VelodyneReturn, 2>;
 
@@ -159,6 +157,7 @@ TEST(DecodeVelodyne, TakesLastReturnPacketsLikeStrongestOnes)
   const auto strongest = decode(sensor.run(3, sphere(4321)));
   sensor.mode = ReturnMode::last;
   const auto last = decode(sensor.run(3, sphere(4321)));
+  EXPECT_EQ(last.scan.size(), 3U * 384U);
   EXPECT_EQ(last.scan.x, strongest.scan.x);
   EXPECT_EQ(last.scan.time_s, strongest.scan.time_s);
 }
@@ -332,3 +331,4 @@ TEST(VelodyneImage, TellsWhereNoLaserFired)
   }
 }
 }  // namespace
+}  // namespace traverse::testing

@@ -36,8 +36,8 @@ VelodyneBeams beamsOf(const sensors::VelodyneCalibration& calibration, sensors::
     VelodyneBeam& beam = beams[static_cast<size_t>(record)];
     beam = beamOf(calibration.lasers[static_cast<size_t>(laser)]);
     beam.sequence = record / timing.lasers;
-    beam.firing_ns = beam.sequence * timing.sequence_ns + timing.firing_ns(laser);
-    beam.part_of_step = (beam.firing_ns << VelodyneBeam::kPartBits) / timing.block_ns();
+    beam.firing_ns = beam.sequence * timing.sequence_ns + timing.firingNs(laser);
+    beam.part_of_step = (beam.firing_ns << VelodyneBeam::kPartBits) / timing.blockNs();
     beam.ring = rings[static_cast<size_t>(laser)];
   }
   return beams;

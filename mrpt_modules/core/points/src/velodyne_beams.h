@@ -18,10 +18,10 @@ struct VelodyneBeam
   double vertical_offset_m = 0;
   double horizontal_offset_m = 0;
   float elevation_rad = 0;
-  bool has_offsets = false;              //!< vertical or horizontal
-  sensors::AzimuthUnits azimuth_offset;  //!< of the laser, clockwise, 0..kUnitsPerTurn-1
-  int64_t firing_ns = 0;                 //!< since its group's first firing
-  int64_t part_of_step = 0;              //!< firing_ns / block_ns, in 2^-kPartBits
+  bool has_offsets = false;                  //!< vertical or horizontal
+  sensors::AzimuthUnits azimuth_offset = 0;  //!< of the laser, clockwise, 0..kUnitsPerTurn-1
+  int64_t firing_ns = 0;                     //!< since its group's first firing
+  int64_t part_of_step = 0;                  //!< firing_ns / block_ns, in 2^-kPartBits
   uint16_t ring = 0;
   int sequence = 0;  //!< in its block
 

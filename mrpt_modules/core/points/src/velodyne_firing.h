@@ -18,11 +18,12 @@ class Placement
  public:
   explicit Placement(const Eigen::Isometry3d& T_base_sensor)
   {
+    size_t at = 0;
     for (int row = 0; row < 3; ++row)
     {
       for (int column = 0; column < 4; ++column)
       {
-        m_[static_cast<size_t>(row * 4 + column)] = T_base_sensor.matrix()(row, column);
+        m_[at++] = T_base_sensor.matrix()(row, column);
       }
     }
   }
@@ -60,5 +61,4 @@ inline std::array<double, 3> inSensor(const Firing& firing, double distance_m)
       beam.horizontal_offset_m * a.cos - along * a.sin,
       distance_m * beam.elevation.sin + beam.vertical_offset_m * beam.elevation.cos};
 }
-
 }  // namespace traverse::points

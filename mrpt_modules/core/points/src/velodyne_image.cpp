@@ -52,16 +52,6 @@ VelodyneImage::VelodyneImage(
   image_.time_s.assign(size, 0);
 }
 
-size_t VelodyneImage::indexOf(const VelodyneBeam& beam, size_t record, int sequence) const
-{
-  int along = sequence + shift_[record] + behind_;  // in the direction of the turn
-  if (closes_)
-  {
-    along = (along % sequences_ + sequences_) % sequences_;
-  }
-  return image_.index(beam.ring, image_.columns - 1 - along);
-}
-
 void VelodyneImage::aim(size_t cell, const Firing& firing)
 {
   image_.azimuth_rad[cell] = counterClockwise(firing.azimuth);

@@ -23,7 +23,16 @@ class VelodyneImage
   VelodyneImage(const VelodyneBeams& beams, const ColumnPlan& plan, int lasers, RangeImage& image);
 
   /** Place of a record's beam; sequence counts from the first firing of the turn. */
-  size_t indexOf(const VelodyneBeam& beam, size_t record, int sequence) const;
+  size_t indexOf(const VelodyneBeam& beam, size_t record, int sequence) const
+  {
+    int along = sequence + shift_[record] + behind_;  // in the direction of the turn
+    if (closes_)
+    {
+      along += along < 0 ? sequences_ : 0;
+      along -= along >= sequences_ ? sequences_ : 0;
+    }
+    return image_.index(beam.ring, image_.columns - 1 - along);
+  }
 
   bool has(int sequence) const { return sequence < sequences_; }
 

@@ -55,7 +55,7 @@ class TurnDecoder
  private:
   void decodeGroup(const TimedPacket& packet, int group, int sequence)
   {
-    const int64_t start_ns = packet.time_ns + group * timing_.block_ns();
+    const int64_t start_ns = packet.time_ns + group * timing_.blockNs();
     const sensors::AzimuthUnits start = packet.data.azimuth(group) * sensors::kUnitsPerHundredth;
     const int64_t step = int64_t{packet.data.azimuthStep(group)} * sensors::kUnitsPerHundredth;
     for (size_t record = 0; record < beams_.size(); ++record)

@@ -19,7 +19,7 @@ constexpr int kTurn = 36000;  // hundredths of a degree
  * believed. */
 int64_t nsBetween(const sensors::VelodyneData& from, const sensors::VelodyneData& to)
 {
-  int64_t delta_us = int64_t{to.time_us()} - int64_t{from.time_us()};
+  int64_t delta_us = int64_t{to.timeUs()} - int64_t{from.timeUs()};
   if (delta_us > kUsPerHour / 2)
   {
     delta_us -= kUsPerHour;
@@ -32,7 +32,7 @@ int64_t nsBetween(const sensors::VelodyneData& from, const sensors::VelodyneData
   {
     return delta_us * kNsPerUs;
   }
-  return from.groups() * sensors::timingOf(from.model()).block_ns();
+  return from.groups() * sensors::timingOf(from.model()).blockNs();
 }
 
 /** Walks over the azimuths of all groups of a turn. */

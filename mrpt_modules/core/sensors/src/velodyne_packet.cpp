@@ -10,9 +10,7 @@ namespace traverse::sensors
 namespace
 {
 constexpr size_t kBlockBytes = 100;
-constexpr size_t kRecordBytes = 3;
 constexpr size_t kAzimuthAt = 2;  // in a block, after its id
-constexpr size_t kRecordsAt = 4;
 constexpr size_t kTimeAt = 1200;  // in the packet
 constexpr size_t kModeAt = 1204;
 constexpr size_t kModelAt = 1205;
@@ -70,7 +68,7 @@ bool isPlausibleStep(int step_hundredths, VelodyneModel model)
   constexpr int64_t kMaxTurnsPerSecond = 40;
   constexpr int64_t kNsPerSecond = 1'000'000'000;
   return step_hundredths * kNsPerSecond <=
-         kMaxTurnsPerSecond * kHundredthsPerTurn * timingOf(model).block_ns();
+         kMaxTurnsPerSecond * kHundredthsPerTurn * timingOf(model).blockNs();
 }
 }  // namespace
 
@@ -140,11 +138,5 @@ uint16_t VelodyneData::azimuthStep(int group) const
     }
   }
   return 0;
-}
-
-VelodyneReturn VelodyneData::record(int block, int index) const
-{
-  const size_t at = blockAt(block) + kRecordsAt + static_cast<size_t>(index) * kRecordBytes;
-  return {uint16At(bytes_, at), bytes_[at + 2]};
 }
 }  // namespace traverse::sensors

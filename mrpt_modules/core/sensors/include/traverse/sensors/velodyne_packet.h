@@ -36,7 +36,7 @@ class VelodyneData
 
   /** Microseconds since the top of the hour of the first firing; a broken clock may give more than
    * an hour. */
-  uint32_t time_us() const { return time_us_; }
+  uint32_t timeUs() const { return time_us_; }
 
   int blocksPerGroup() const { return mode_ == ReturnMode::dual ? 2 : 1; }
 
@@ -51,7 +51,11 @@ class VelodyneData
   uint16_t azimuthStep(int group) const;
 
   /** The record of a block, 0..11, in the packet's order: 0..31. */
-  VelodyneReturn record(int block, int index) const;
+  VelodyneReturn record(int block, int index) const
+  {
+    const size_t at = static_cast<size_t>(block) * 100 + 4 + static_cast<size_t>(index) * 3;
+    return {static_cast<uint16_t>(bytes_[at] | bytes_[at + 1] << 8), bytes_[at + 2]};
+  }
 
  private:
   VelodyneData() = default;

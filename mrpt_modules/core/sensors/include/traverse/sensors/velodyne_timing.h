@@ -18,10 +18,10 @@ struct VelodyneTiming
   int lasers_per_slot;      //!< that fire together
   float max_range_m;        //!< of the data sheet
 
-  constexpr int64_t block_ns() const { return sequences_per_block * sequence_ns; }
+  constexpr int64_t blockNs() const { return sequences_per_block * sequence_ns; }
 
   /** From the start of its sequence to the firing of a laser. */
-  constexpr int64_t firing_ns(int laser) const { return laser / lasers_per_slot * slot_ns; }
+  constexpr int64_t firingNs(int laser) const { return laser / lasers_per_slot * slot_ns; }
 };
 
 /** Of the manuals: HDL-32E (63-9113) appendix on firing times, VLP-16 (63-9243) chapter 9, VLP-32C
