@@ -4,6 +4,7 @@
 
 #include <traverse/observations/convert.h>
 
+#include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement3D.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
@@ -21,6 +22,18 @@ bool isContainer(const ObjectHeader& header)
          (type == "CActionCollection" && header.version == 0) ||
          (type == "CRawlog" && header.version <= 1);
 }
+
+/** What a rawlog may begin with; any other object of MRPT (a map, a scene) is some other file. */
+bool belongsInLog(const ObjectHeader& header)
+{
+  using namespace mrpt::obs;  // NOLINT(google-build-using-namespace): CLASS_ID pastes bare names
+  const mrpt::rtti::TRuntimeClassId* type = mrpt::rtti::findRegisteredClass(header.type);
+  return isContainer(header) ||
+         (type != nullptr &&
+          (type->derivedFrom(CLASS_ID(CObservation)) || type->derivedFrom(CLASS_ID(CAction)) ||
+           type->derivedFrom(CLASS_ID(CActionCollection)) ||
+           type->derivedFrom(CLASS_ID(CSensoryFrame))));
+}
 }  // namespace
 
 std::string shortType(const std::string& type)
@@ -34,6 +47,10 @@ void LogWalk::run()
   progress_.offset = archive_.source().offset();
   while (const auto header = archive_.readHeader())
   {
+    if (progress_.object == 0 && !belongsInLog(*header))
+    {
+      throw LogDamage("it begins with an object of class '" + header->type + "'");
+    }
     const bool whole_log = shortType(header->type) == "CRawlog";
     walk(*header, 0);
     if (!whole_log)
