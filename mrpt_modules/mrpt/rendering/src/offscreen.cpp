@@ -92,17 +92,38 @@ CCamera cameraAbove(
   return camera;
 }
 
+double radians(double degrees)
+{
+  return degrees * std::numbers::pi / 180;
+}
+
+/** The nearest point of the default direction from where all of the box is seen. */
 Viewpoint viewpointOver(const BuiltScene& built, const PictureSize& size)
 {
   Viewpoint view;
-  const Eigen::Vector3d diagonal = built.max - built.min;
-  view.target = built.origin + (built.min + built.max) / 2;
-  const double radius = std::max(diagonal.norm() / 2, 1.0);
-  const double aspect = std::min(1.0, static_cast<double>(size.width_px) / size.height_px);
-  // A flat map fills less than the sphere around it: 0.8 of it seen from 35 degrees.
-  constexpr double kFlat = 0.8;
-  const double half_angle = kFieldOfView_deg / 2 * std::numbers::pi / 180;
-  view.distance_m = kFlat * radius / (std::sin(half_angle) * aspect);
+  const Eigen::Vector3d centre = (built.min + built.max) / 2;
+  view.target = built.origin + centre;
+  const double azimuth = radians(view.azimuth_deg);
+  const double elevation = radians(view.elevation_deg);
+  const Eigen::Vector3d to_eye(
+      std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
+      std::sin(elevation));
+  const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(to_eye).normalized();
+  const Eigen::Vector3d up = to_eye.cross(right);
+  const double tan_up = std::tan(radians(kFieldOfView_deg / 2));
+  const double tan_right = tan_up * size.width_px / size.height_px;
+  view.distance_m = 1;
+  for (unsigned i = 0; i < 8; ++i)
+  {
+    const Eigen::Vector3d half = (built.max - built.min) / 2;
+    const Eigen::Vector3d corner(
+        (i & 1U) == 0 ? -half.x() : half.x(), (i & 2U) == 0 ? -half.y() : half.y(),
+        (i & 4U) == 0 ? -half.z() : half.z());
+    const double aside =
+        kFrame *
+        std::max(std::abs(corner.dot(right)) / tan_right, std::abs(corner.dot(up)) / tan_up);
+    view.distance_m = std::max(view.distance_m, aside + corner.dot(to_eye));
+  }
   return view;
 }
 

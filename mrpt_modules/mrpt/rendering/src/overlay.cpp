@@ -20,7 +20,7 @@ constexpr int kPadding = 12;
 constexpr int kTextHeight = 11;  // of the font, pixels
 constexpr int kLine = 24;
 constexpr int kSwatch = 14;
-constexpr double kCharacterWidth = 0.95;  // of the height: wide enough for any text of ours
+constexpr double kCharacterWidth = 0.8;  // of the height: wide enough for any text of ours
 
 struct Rect
 {
