@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odometry_track.h"
+
+#include <traverse/observations/convert.h>
+
+#include <mrpt/obs/CObservationOdometry.h>
+
+#include <utility>
+
+namespace traverse::logs
+{
+bool OdometryTrack::add(const mrpt::obs::CObservation& observation)
+{
+  const auto stamp = observations::toTime(observation.timestamp);
+  if (!frame_stamp_)
+  {
+    frame_stamp_ = stamp;
+  }
+  const auto* odometry = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&observation);
+  if (odometry == nullptr || form_ == Form::actions)
+  {
+    return false;
+  }
+  form_ = Form::observations;
+  T_map_base_ = observations::toIsometry(mrpt::poses::CPose3D(odometry->odometry));
+  ready_ = poses::StampedPose{stamp.value_or(0), T_map_base_};
+  return true;
+}
+
+void OdometryTrack::add(const Movement& movement)
+{
+  if (form_ == Form::observations || !movement.T_before_after.matrix().allFinite())
+  {
+    return;
+  }
+  form_ = Form::actions;
+  T_map_base_ = T_map_base_ * movement.T_before_after;
+  // Thousands of products: keep it a rotation.
+  T_map_base_.linear() = Eigen::Quaterniond(T_map_base_.linear()).normalized().toRotationMatrix();
+  action_stamp_ = movement.stamp;
+}
+
+void OdometryTrack::frameEnd()
+{
+  const auto frame_stamp = std::exchange(frame_stamp_, std::nullopt);
+  const auto action_stamp = std::exchange(action_stamp_, std::nullopt);
+  if (form_ != Form::observations)
+  {
+    const auto stamp = frame_stamp ? frame_stamp : action_stamp;
+    ready_ = poses::StampedPose{stamp.value_or(0), T_map_base_};
+  }
+}
+
+std::optional<poses::StampedPose> OdometryTrack::take()
+{
+  return std::exchange(ready_, std::nullopt);
+}
+}  // namespace traverse::logs
