@@ -17,7 +17,10 @@ class FileHandle
   /** Throws FileError; `action` is for its message. */
   FileHandle(const char* action, const std::filesystem::path& path, int flags);
 
-  FileHandle(FileHandle&& other) noexcept : path_(other.path_), fd_(std::exchange(other.fd_, -1)) {}
+  FileHandle(FileHandle&& other) noexcept :
+      path_(std::move(other.path_)), fd_(std::exchange(other.fd_, -1))
+  {
+  }
 
   FileHandle& operator=(FileHandle&& other) noexcept
   {

@@ -88,11 +88,11 @@ std::string readFile(const std::filesystem::path& path, size_t max_bytes)
     throw FileError(path, S_ISDIR(status.st_mode) ? "is a folder, not a file" : "is not a file");
   }
   std::string bytes;
-  const auto tooLong = [&](size_t size)
+  const auto too_long = [&](size_t size)
   { return FileError(path, fmt::format("has {} bytes, at most {} make sense", size, max_bytes)); };
   if (static_cast<size_t>(status.st_size) > max_bytes)
   {
-    throw tooLong(static_cast<size_t>(status.st_size));
+    throw too_long(static_cast<size_t>(status.st_size));
   }
   bytes.resize(static_cast<size_t>(status.st_size) + 1);  // one more: the end is seen, not believed
   size_t size = 0;
@@ -110,7 +110,7 @@ std::string readFile(const std::filesystem::path& path, size_t max_bytes)
     size += static_cast<size_t>(std::max<ssize_t>(got, 0));
     if (size > max_bytes)
     {
-      throw tooLong(size);
+      throw too_long(size);
     }
     if (size == bytes.size())  // it grew, or says 0 like those of /proc
     {

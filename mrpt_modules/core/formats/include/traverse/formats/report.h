@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/layers/layer_set.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace traverse::formats
+{
+/** A line or two of prose. */
+struct Paragraph
+{
+  std::string text;
+};
+
+/** Something the reader must not miss: a partial result, skipped data. */
+struct Notice
+{
+  std::string text;
+};
+
+/** One large number with its name: {"points", "1 204 551"}. */
+struct KeyFigure
+{
+  std::string name;
+  std::string value;
+};
+
+/** Shown side by side, first thing of a section. */
+struct KeyFigures
+{
+  std::vector<KeyFigure> figures;
+};
+
+/** A PNG file's bytes; they are put into the page. */
+struct Picture
+{
+  std::string png;
+  std::string caption;
+  bool pixelated = false;  //!< cells keep hard edges when enlarged
+};
+
+/** Pictures side by side as the window allows. */
+struct Gallery
+{
+  std::vector<Picture> pictures;
+};
+
+/** What the colours of the pictures mean. */
+struct Legend
+{
+  std::vector<layers::LegendEntry> entries;
+};
+
+/** Cells that are numbers stand to the right. Shorter rows are filled up. */
+struct Table
+{
+  std::string caption;
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/** One bar; no colour: the page's own. Values that are not finite or negative are drawn as 0. */
+struct Bar
+{
+  std::string label;
+  double value = 0;
+  std::optional<layers::Colour> colour;
+};
+
+/** Horizontal bars with their values, in the order given. */
+struct BarChart
+{
+  std::string caption;
+  std::string unit;  //!< "s", "cells" ...
+  std::vector<Bar> bars;
+};
+
+/** How often values fall between equally spaced edges. */
+struct Histogram
+{
+  std::string caption;
+  std::string unit;  //!< of the values
+  double first_edge = 0;
+  double bin_width = 1;
+  std::vector<uint64_t> counts;
+};
+
+using Block = std::
+    variant<Paragraph, Notice, KeyFigures, Picture, Gallery, Legend, Table, BarChart, Histogram>;
+
+struct Section
+{
+  std::string title;
+  std::vector<Block> blocks;
+};
+
+struct Report
+{
+  std::string title;
+  std::string subtitle;
+  std::vector<Section> sections;
+  std::string footer;
+};
+
+/** The report as one HTML page that needs nothing else: no script, no network, light and dark, also
+ * for print. All texts may be hostile; they are escaped, and bytes that are no UTF-8 shown as such.
+ * The same report gives the same bytes. */
+std::string html(const Report& report);
+
+/** Histogram of the finite values over their own range; no counts where there are none. A constant
+ * value gives one bin around it. */
+Histogram histogramOf(
+    std::span<const float> values, size_t bins, std::string caption, std::string unit);
+
+/** A number for people: whole ones in groups of three digits ("12 345"), others with 4 digits. */
+std::string readableNumber(double value);
+}  // namespace traverse::formats

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/formats/report.h>
+
+#include <string>
+#include <string_view>
+
+namespace traverse::formats
+{
+/** Safe inside elements and quoted attributes: markup escaped, bytes that are no UTF-8 and control
+ * characters replaced by U+FFFD. */
+std::string escaped(std::string_view untrusted);
+
+std::string base64(std::string_view bytes);
+
+/** "#rrggbb" */
+std::string cssColour(layers::Colour colour);
+
+/** The page's style sheet. */
+std::string_view styleSheet();
+
+std::string barChartSvg(const BarChart& chart);
+std::string histogramSvg(const Histogram& histogram);
+}  // namespace traverse::formats

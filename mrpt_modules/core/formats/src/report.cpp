@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "html_text.h"
+
+#include <traverse/formats/report.h>
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace traverse::formats
+{
+namespace
+{
+std::string captioned(const std::string& content, const std::string& caption)
+{
+  const std::string below =
+      caption.empty() ? "" : fmt::format("<figcaption>{}</figcaption>", escaped(caption));
+  return "<figure>" + content + below + "</figure>\n";
+}
+
+/** "12 345", "-0.5", "98 %", "1.5 s": stands to the right. */
+bool looksLikeNumber(const std::string& text)
+{
+  const size_t first = text.find_first_not_of("-+\xE2\x88\x92 ");
+  return first != std::string::npos && text[first] >= '0' && text[first] <= '9' &&
+         std::count_if(text.begin(), text.end(), [](char c) { return c >= 'a' && c <= 'z'; }) <= 4;
+}
+
+std::string block(const Paragraph& p)
+{
+  return "<p>" + escaped(p.text) + "</p>\n";
+}
+
+std::string block(const Notice& notice)
+{
+  return "<p class=\"notice\" role=\"note\">" + escaped(notice.text) + "</p>\n";
+}
+
+std::string block(const KeyFigures& key)
+{
+  std::string out = "<dl class=\"figures\">";
+  for (const KeyFigure& f : key.figures)
+  {
+    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", escaped(f.name), escaped(f.value));
+  }
+  return out + "</dl>\n";
+}
+
+std::string block(const Picture& picture)
+{
+  return captioned(
+      fmt::format(
+          "<img{} alt=\"{}\" src=\"data:image/png;base64,{}\">",
+          picture.pixelated ? " class=\"pixelated\"" : "", escaped(picture.caption),
+          base64(picture.png)),
+      picture.caption);
+}
+
+std::string block(const Gallery& gallery)
+{
+  std::string out = "<div class=\"gallery\">\n";
+  for (const Picture& picture : gallery.pictures)
+  {
+    out += block(picture);
+  }
+  return out + "</div>\n";
+}
+
+std::string block(const Legend& legend)
+{
+  std::string out = "<ul class=\"legend\">";
+  for (const layers::LegendEntry& e : legend.entries)
+  {
+    out += fmt::format(
+        "<li><span style=\"background:{}\"></span>{}</li>", cssColour(e.colour), escaped(e.name));
+  }
+  return out + "</ul>\n";
+}
+
+std::string cell(const char* tag, const std::string& text, bool number)
+{
+  return fmt::format("<{0}{1}>{2}</{0}>", tag, number ? " class=\"number\"" : "", escaped(text));
+}
+
+std::string block(const Table& table)
+{
+  // A column is one of numbers where its first row has one: then its heading stands right, too.
+  const auto number = [&](size_t i)
+  { return !table.rows.empty() && i < table.rows[0].size() && looksLikeNumber(table.rows[0][i]); };
+  std::string out = "<div class=\"scroll\"><table>";
+  out += table.caption.empty() ? "" : "<caption>" + escaped(table.caption) + "</caption>";
+  out += "<thead><tr>";
+  for (size_t i = 0; i < table.head.size(); ++i)
+  {
+    out += cell("th", table.head[i], number(i));
+  }
+  out += "</tr></thead>\n<tbody>";
+  for (const auto& row : table.rows)
+  {
+    out += "<tr>";
+    for (size_t i = 0; i < std::max(row.size(), table.head.size()); ++i)
+    {
+      out += cell("td", i < row.size() ? row[i] : "", number(i));
+    }
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+/** The caption of a chart is its heading. */
+std::string headed(const std::string& chart, const std::string& caption)
+{
+  return "<figure class=\"chart\"><figcaption>" + escaped(caption) + "</figcaption>" + chart +
+         "</figure>\n";
+}
+
+std::string block(const BarChart& chart)
+{
+  return headed(barChartSvg(chart), chart.caption);
+}
+
+std::string block(const Histogram& h)
+{
+  return headed(histogramSvg(h), h.caption);
+}
+
+std::string navigation(const Report& report)
+{
+  std::string out = "<nav>";
+  for (size_t i = 0; i < report.sections.size(); ++i)
+  {
+    out += fmt::format("<a href=\"#s{}\">{}</a>", i, escaped(report.sections[i].title));
+  }
+  return out + "</nav>\n";
+}
+
+// The policy makes the browser itself refuse scripts and every address but data in the page.
+constexpr std::string_view kHead = R"html(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
+)html";
+}  // namespace
+
+std::string html(const Report& report)
+{
+  std::string page(kHead);
+  page += fmt::format("<title>{}</title>\n<style>", escaped(report.title));
+  page += styleSheet();
+  page += fmt::format(
+      "</style>\n</head>\n<body>\n<header><h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n",
+      escaped(report.title), escaped(report.subtitle));
+  page += navigation(report) + "</header>\n<main>\n";
+  for (size_t i = 0; i < report.sections.size(); ++i)
+  {
+    const Section& section = report.sections[i];
+    page += fmt::format("<section id=\"s{}\">\n<h2>{}</h2>\n", i, escaped(section.title));
+    for (const Block& b : section.blocks)
+    {
+      page += std::visit([](const auto& content) { return block(content); }, b);
+    }
+    page += "</section>\n";
+  }
+  return page + "</main>\n<footer>" + escaped(report.footer) + "</footer>\n</body>\n</html>\n";
+}
+}  // namespace traverse::formats
