@@ -51,7 +51,8 @@ function(traverse_library_word TARGET_NAME RESULT)
   endforeach()
 endfunction()
 
-# Rooms and library words that TARGET reaches, through rooms of ours.
+# Rooms and library words that TARGET reaches, through rooms of ours. What a shared library of ours
+# links privately stays inside it.
 function(traverse_link_closure TARGET RESULT)
   set(queue ${TARGET})
   set(seen)
@@ -60,11 +61,13 @@ function(traverse_link_closure TARGET RESULT)
     get_target_property(type ${item} TYPE)
     set(links)
     foreach(property LINK_LIBRARIES INTERFACE_LINK_LIBRARIES)
-      if(NOT (type STREQUAL INTERFACE_LIBRARY AND property STREQUAL LINK_LIBRARIES))
-        get_target_property(some ${item} ${property})
-        if(some)
-          list(APPEND links ${some})
-        endif()
+      if(property STREQUAL LINK_LIBRARIES AND (type STREQUAL INTERFACE_LIBRARY OR
+          (type STREQUAL SHARED_LIBRARY AND NOT "${item}" STREQUAL "${TARGET}")))
+        continue()
+      endif()
+      get_target_property(some ${item} ${property})
+      if(some)
+        list(APPEND links ${some})
       endif()
     endforeach()
     foreach(link ${links})

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/formats/archive.h>
+#include <traverse/formats/option_bytes.h>
 #include <traverse/traversability_grid/traversability_grid.h>
+
+#include <limits>
 
 namespace traverse::traversability_grid
 {
@@ -12,38 +15,6 @@ using formats::ByteWriter;
 
 constexpr size_t kSlabBytes = 4 + 4 + 2 + 2 + 8 + 9 * 8;
 constexpr size_t kLeastCellBytes = 4 + 4 + 4 + kSlabBytes;
-
-template <class P>
-std::string optionBytes(const P& p)
-{
-  ByteWriter out;
-  const std::vector<options::Row> rows = options::rows(p);
-  out.u32(static_cast<uint32_t>(rows.size()));
-  for (const options::Row& row : rows)
-  {
-    out.str(row.key);
-    out.str(row.value);
-  }
-  return out.take();
-}
-
-template <class P>
-P readOptions(ByteReader in)
-{
-  P p;
-  const uint32_t count = in.u32();
-  for (uint32_t i = 0; i < count; ++i)
-  {
-    const std::string key = in.str(256);
-    const std::string value = in.str(65536);
-    if (!options::set(p, key, value))
-    {
-      in.fail("unknown option '" + key + "'");
-    }
-  }
-  in.expectEnd();
-  return p;
-}
 
 void writeSlab(ByteWriter& out, const layers::HeightSlab& s)
 {
@@ -225,8 +196,8 @@ void readCells(ByteReader in, State& state, const Params& params)
 std::string archive(const State& state, const Params& params, const geometry::Vehicle& vehicle)
 {
   formats::ArchiveWriter writer(std::string(kArchiveKind), kArchiveVersion);
-  writer.section("OPTS", optionBytes(params));
-  writer.section("VEHI", optionBytes(vehicle));
+  writer.section("OPTS", formats::optionBytes(params));
+  writer.section("VEHI", formats::optionBytes(vehicle));
   writer.section("GRID", gridBytes(state));
   writer.section("CELL", cellBytes(state));
   return writer.finish();
@@ -238,8 +209,8 @@ Map fromArchive(std::string_view bytes)
   try
   {
     Map map;
-    map.params = readOptions<Params>(reader.reader("OPTS"));
-    map.vehicle = readOptions<geometry::Vehicle>(reader.reader("VEHI"));
+    map.params = formats::readOptionBytes<Params>(reader.reader("OPTS"));
+    map.vehicle = formats::readOptionBytes<geometry::Vehicle>(reader.reader("VEHI"));
     map.state = makeState(map.params, map.vehicle);
     readGrid(reader.reader("GRID"), map.state);
     readCells(reader.reader("CELL"), map.state, map.params);

@@ -72,9 +72,9 @@ struct Params
   ClassifierKind classifier = ClassifierKind::paper;
   int min_points = 3;
   bool ignore_overhangs = true;
-  ClassLimits flat{0.03, 45, 0.0003};
-  ClassLimits small_roughness{0.10, 60, 0.003};
-  ClassLimits large_roughness{0.25, 75, 0.006};
+  ClassLimits flat{0.03, 30, 0.000225};
+  ClassLimits small_roughness{0.10, 45, 0.0025};
+  ClassLimits large_roughness{0.25, 60, 0.01};
   int index_flat = 20;
   int index_small_roughness = 45;
   int index_large_roughness = 75;

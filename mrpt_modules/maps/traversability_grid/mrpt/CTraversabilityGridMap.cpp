@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/maps/CTraversabilityGridMap.h>
+#include <traverse/observations/convert.h>
+#include <traverse/observations/to_scan.h>
+
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationRotatingScan.h>
+#include <mrpt/obs/CObservationVelodyneScan.h>
+#include <mrpt/tfest/TMatchingPair.h>
+
+#include <fmt/format.h>
+#include <limits>
+
+namespace traverse::maps
+{
+layers::UpdateStats CTraversabilityGridMap::insertScan(
+    const points::Scan& scan, const poses::PoseTrack& track)
+{
+  const std::optional<poses::TrackedPose> pose = track.at(scan.stamp);
+  if (!pose)
+  {
+    layers::UpdateStats skipped;
+    skipped.no_pose = true;
+    return skipped;
+  }
+  return traversability_grid::update(state_, scan, pose->T_map_base, insertionOptions, vehicle);
+}
+
+layers::LayerSet CTraversabilityGridMap::layerSet(std::optional<geometry::CellRect> window) const
+{
+  return traversability_grid::layerSet(state_, insertionOptions, vehicle, window);
+}
+
+std::string CTraversabilityGridMap::archive() const
+{
+  return traversability_grid::archive(state_, insertionOptions, vehicle);
+}
+
+void CTraversabilityGridMap::setFromArchive(std::string_view bytes)
+{
+  traversability_grid::Map map = traversability_grid::fromArchive(bytes);
+  insertionOptions = map.params;
+  vehicle = std::move(map.vehicle);
+  state_ = std::move(map.state);
+}
+
+bool CTraversabilityGridMap::isEmpty() const
+{
+  return state_.empty();
+}
+
+std::string CTraversabilityGridMap::asString() const
+{
+  return fmt::format(
+      "Traversability grid: {} cells of {} m with points, {} height slabs", state_.occupied,
+      state_.lattice.cell_m(), state_.slabs.size());
+}
+
+void CTraversabilityGridMap::internal_clear()
+{
+  state_ = traversability_grid::makeState(insertionOptions, vehicle);
+}
+
+bool CTraversabilityGridMap::internal_insertObservation(
+    const mrpt::obs::CObservation& observation,
+    const std::optional<const mrpt::poses::CPose3D>& robot_pose)
+{
+  const observations::ScanResult result = observations::toScan(observation, sensors);
+  if (result.outcome != observations::Outcome::scan)
+  {
+    return false;
+  }
+  const Eigen::Isometry3d T_map_base =
+      robot_pose ? observations::toIsometry(*robot_pose) : Eigen::Isometry3d::Identity();
+  return insertScan(result.decoded.scan.view(), poses::PoseTrack::constant(T_map_base)).inserted;
+}
+
+double CTraversabilityGridMap::internal_computeObservationLikelihood(
+    const mrpt::obs::CObservation& observation, const mrpt::poses::CPose3D& taken_from) const
+{
+  if (state_.empty() || !internal_canComputeObservationLikelihood(observation))
+  {
+    return 0;
+  }
+  const observations::ScanResult result = observations::toScan(observation, sensors);
+  return traversability_grid::logLikelihood(
+      state_, result.decoded.scan.view(), observations::toIsometry(taken_from), likelihoodOptions);
+}
+
+bool CTraversabilityGridMap::internal_canComputeObservationLikelihood(
+    const mrpt::obs::CObservation& observation) const
+{
+  using namespace mrpt::obs;  // NOLINT(google-build-using-namespace): CLASS_ID pastes bare names
+  const mrpt::rtti::TRuntimeClassId* type = observation.GetRuntimeClass();
+  return type->derivedFrom(CLASS_ID(CObservation2DRangeScan)) ||
+         type->derivedFrom(CLASS_ID(CObservationVelodyneScan)) ||
+         type->derivedFrom(CLASS_ID(CObservation3DRangeScan)) ||
+         type->derivedFrom(CLASS_ID(CObservationPointCloud)) ||
+         type->derivedFrom(CLASS_ID(CObservationRotatingScan));
+}
+
+void CTraversabilityGridMap::determineMatching2D(
+    const mrpt::maps::CMetricMap* /*other_map*/,
+    const mrpt::poses::CPose2D& /*other_pose*/,
+    mrpt::tfest::TMatchingPairList& correspondences,
+    const mrpt::maps::TMatchingParams& /*params*/,
+    mrpt::maps::TMatchingExtraResults& extra) const
+{
+  correspondences.clear();
+  extra = {};
+}
+
+void CTraversabilityGridMap::determineMatching3D(
+    const mrpt::maps::CMetricMap* /*other_map*/,
+    const mrpt::poses::CPose3D& /*other_pose*/,
+    mrpt::tfest::TMatchingPairList& correspondences,
+    const mrpt::maps::TMatchingParams& /*params*/,
+    mrpt::maps::TMatchingExtraResults& extra) const
+{
+  correspondences.clear();
+  extra = {};
+}
+
+float CTraversabilityGridMap::compute3DMatchingRatio(
+    const mrpt::maps::CMetricMap* /*other_map*/,
+    const mrpt::poses::CPose3D& /*other_pose*/,
+    const mrpt::maps::TMatchingRatioParams& /*params*/) const
+{
+  return 0;
+}
+
+float CTraversabilityGridMap::squareDistanceToClosestCorrespondence(float /*x*/, float /*y*/) const
+{
+  return std::numeric_limits<float>::max();
+}
+}  // namespace traverse::maps

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How MRPT's map factory makes the map from an ini.
+#include <traverse/config/strict_section.h>
+#include <traverse/maps/CTraversabilityGridMap.h>
+
+#include <mrpt/config/CConfigFileBase.h>
+
+#include <ostream>
+
+// The first name must be the class's own: the factory looks definitions up by it.
+MAP_DEFINITION_REGISTER(
+    "traverse::maps::CTraversabilityGridMap,CTraversabilityGridMap,traversabilityGridMap",
+    traverse::maps::CTraversabilityGridMap)
+
+namespace traverse::maps
+{
+namespace
+{
+template <class P>
+void dump(std::ostream& out, const char* title, const P& params)
+{
+  out << title << "\n";
+  for (const options::Row& row : options::rows(params))
+  {
+    out << "  " << row.key << " = " << row.value << "\n";
+  }
+}
+
+/** MRPT reads these itself, but lets misspelt ones pass. */
+void checkCreationOptions(const mrpt::config::CConfigFileBase& file, const std::string& section)
+{
+  const std::vector<std::string> known = {
+      "enableSaveAs3DObject", "enableObservationLikelihood", "enableObservationInsertion"};
+  config::readSection(
+      file, section, known,
+      [&](const std::string& key, const std::string& text)
+      {
+        const bool is_known = std::find(known.begin(), known.end(), key) != known.end();
+        bool ignored = false;
+        if (is_known)
+        {
+          options::parse(options::Option{key, ""}, text, ignored);
+        }
+        return is_known;
+      });
+}
+}  // namespace
+
+CTraversabilityGridMap::TMapDefinition::TMapDefinition() = default;
+
+void CTraversabilityGridMap::TMapDefinition::loadFromConfigFile_map_specific(
+    const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
+{
+  const std::string& prefix = sectionNamePrefix;
+  config::checkSectionNames(
+      source, prefix, {"_creationOpts", "_insertOpts", "_likelihoodOpts", "_renderOpts"});
+  checkCreationOptions(source, prefix + "_creationOpts");
+  config::loadSection(source, prefix + "_insertOpts", insertionOpts);
+  config::loadSection(source, prefix + "_likelihoodOpts", likelihoodOpts);
+  config::loadSection(source, prefix + "_renderOpts", render_opts);
+  config::loadSection(source, "Vehicle", vehicle);
+  config::loadSection(source, "Sensors", sensors);
+  try
+  {
+    traversability_grid::check(insertionOpts);
+    observations::checkTogether(sensors);
+  }
+  catch (const options::OptionError& e)
+  {
+    throw config::SectionError("section [" + prefix + "_insertOpts] or [Sensors]: " + e.what());
+  }
+}
+
+void CTraversabilityGridMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
+{
+  dump(out, "insertOpts", insertionOpts);
+  dump(out, "likelihoodOpts", likelihoodOpts);
+  dump(out, "renderOpts", render_opts);
+  dump(out, "Vehicle", vehicle);
+  dump(out, "Sensors", sensors);
+}
+
+mrpt::maps::CMetricMap* CTraversabilityGridMap::internal_CreateFromMapDefinition(
+    const mrpt::maps::TMetricMapInitializer& def)
+{
+  const auto& own = dynamic_cast<const TMapDefinition&>(def);
+  auto map = std::make_unique<CTraversabilityGridMap>();
+  map->insertionOptions = own.insertionOpts;
+  map->likelihoodOptions = own.likelihoodOpts;
+  map->renderOptions = own.render_opts;
+  map->vehicle = own.vehicle;
+  map->sensors = own.sensors;
+  map->internal_clear();
+  return map.release();
+}
+}  // namespace traverse::maps

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/geometry/vehicle.h>
+#include <traverse/layers/scan_consumer.h>
+#include <traverse/observations/observation_params.h>
+#include <traverse/traversability_grid/traversability_grid.h>
+
+#include <mrpt/maps/CMetricMap.h>
+
+#include <string>
+
+namespace traverse::maps
+{
+/** How the map is drawn; section renderOpts. */
+struct TraversabilityRenderParams
+{
+  bool show_undefined = true;
+  bool show_axes = true;
+
+  friend bool operator==(const TraversabilityRenderParams&, const TraversabilityRenderParams&) =
+      default;
+};
+
+template <class P, class F>
+void visitRenderParams(P& p, F&& f)
+{
+  using options::Option;
+  f(Option{"show_undefined", "draws cells of undefined class that have points, in grey"},
+    p.show_undefined);
+  f(Option{"show_axes", "draws the robot's axes"}, p.show_axes);
+}
+
+template <class F>
+void visit(TraversabilityRenderParams& p, F&& f)
+{
+  visitRenderParams(p, f);
+}
+
+template <class F>
+void visit(const TraversabilityRenderParams& p, F&& f)
+{
+  visitRenderParams(p, f);
+}
+
+/** A grid of the workspace whose cells are flat, roughness, or obstacle by statistics of the points
+ * that fall on them: traverse/traversability_grid, as an MRPT map.
+ *
+ * Made from an ini by `CTraversabilityGridMap_count = 1` (or traversabilityGridMap_count) with the
+ * sections <prefix>_insertOpts, _likelihoodOpts, _renderOpts and _creationOpts, and the sections
+ * [Vehicle] and [Sensors], which all maps of the file share. All are read strictly: an unknown key
+ * or a value that is not allowed throws config::SectionError.
+ *
+ * Options may be changed in place; those that the cells' sums depend on (cell_size_m,
+ * slab_height_m) only while the map is empty. */
+class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::ScanConsumer
+{
+  DEFINE_SERIALIZABLE(CTraversabilityGridMap, traverse::maps)
+
+ public:
+  CTraversabilityGridMap() = default;
+
+  traversability_grid::Params insertionOptions;
+  traversability_grid::LikelihoodParams likelihoodOptions;
+  TraversabilityRenderParams renderOptions;
+  geometry::Vehicle vehicle;
+  observations::ObservationParams sensors;  //!< how insertObservation() decodes
+
+  // layers::ScanConsumer
+  layers::UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) override;
+  layers::LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const override;
+  std::string archive() const override;
+
+  /** Replaces options, vehicle and cells by those of archive(). Throws formats::FormatError, with
+   * the map as it was. */
+  void setFromArchive(std::string_view bytes);
+
+  const traversability_grid::State& state() const { return state_; }
+
+  // mrpt::maps::CMetricMap
+  bool isEmpty() const override;
+  std::string asString() const override;
+  void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
+
+  /** Writes <prefix>.traverse (the archive) and, unless the map is empty, <prefix>_<layer>.tif of
+   * each layer and <prefix>_class.png. Throws formats::FileError. */
+  void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
+
+  /** No matching on this map: no correspondence, ratio 0. */
+  void determineMatching2D(
+      const mrpt::maps::CMetricMap* other_map,
+      const mrpt::poses::CPose2D& other_pose,
+      mrpt::tfest::TMatchingPairList& correspondences,
+      const mrpt::maps::TMatchingParams& params,
+      mrpt::maps::TMatchingExtraResults& extra) const override;
+  void determineMatching3D(
+      const mrpt::maps::CMetricMap* other_map,
+      const mrpt::poses::CPose3D& other_pose,
+      mrpt::tfest::TMatchingPairList& correspondences,
+      const mrpt::maps::TMatchingParams& params,
+      mrpt::maps::TMatchingExtraResults& extra) const override;
+  float compute3DMatchingRatio(
+      const mrpt::maps::CMetricMap* other_map,
+      const mrpt::poses::CPose3D& other_pose,
+      const mrpt::maps::TMatchingRatioParams& params) const override;
+  float squareDistanceToClosestCorrespondence(float x, float y) const override;
+
+  MAP_DEFINITION_START(CTraversabilityGridMap)
+  traversability_grid::Params insertionOpts;
+  traversability_grid::LikelihoodParams likelihoodOpts;
+  TraversabilityRenderParams render_opts;
+  geometry::Vehicle vehicle;
+  observations::ObservationParams sensors;
+  MAP_DEFINITION_END(CTraversabilityGridMap)
+
+ private:
+  void internal_clear() override;
+  bool internal_insertObservation(
+      const mrpt::obs::CObservation& observation,
+      const std::optional<const mrpt::poses::CPose3D>& robot_pose) override;
+  double internal_computeObservationLikelihood(
+      const mrpt::obs::CObservation& observation,
+      const mrpt::poses::CPose3D& taken_from) const override;
+  bool internal_canComputeObservationLikelihood(
+      const mrpt::obs::CObservation& observation) const override;
+
+  traversability_grid::State state_;
+};
+}  // namespace traverse::maps

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The map in MRPT's archives (rawlogs, .gridmap, copies of multi-maps).
+#include <traverse/formats/archive.h>
+#include <traverse/formats/option_bytes.h>
+#include <traverse/maps/CTraversabilityGridMap.h>
+
+#include <mrpt/serialization/CArchive.h>
+
+#include <algorithm>
+
+IMPLEMENTS_SERIALIZABLE(CTraversabilityGridMap, CMetricMap, traverse::maps)
+
+namespace traverse::maps
+{
+namespace
+{
+constexpr uint32_t kShellVersion = 1;
+constexpr const char* kShellKind = "CTraversabilityGridMap";
+
+/** A length that lies allocates no more than the stream has, and a piece. */
+std::string readBlob(mrpt::serialization::CArchive& in)
+{
+  constexpr uint64_t kPiece = 1U << 20U;
+  std::string bytes;
+  for (auto left = in.ReadAs<uint64_t>(); left > 0;)
+  {
+    const auto piece = static_cast<size_t>(std::min(left, kPiece));
+    const size_t have = bytes.size();
+    bytes.resize(have + piece);
+    if (in.ReadBuffer(bytes.data() + have, piece) != piece)
+    {
+      throw formats::FormatError(std::string(kShellKind) + ": the stream ends within the map");
+    }
+    left -= piece;
+  }
+  return bytes;
+}
+
+void writeBlob(mrpt::serialization::CArchive& out, const std::string& bytes)
+{
+  out.WriteAs<uint64_t>(bytes.size());
+  out.WriteBuffer(bytes.data(), bytes.size());
+}
+}  // namespace
+
+uint8_t CTraversabilityGridMap::serializeGetVersion() const
+{
+  return 0;
+}
+
+void CTraversabilityGridMap::serializeTo(mrpt::serialization::CArchive& out) const
+{
+  formats::ArchiveWriter shell(kShellKind, kShellVersion);
+  shell.section("LIKE", formats::optionBytes(likelihoodOptions));
+  shell.section("REND", formats::optionBytes(renderOptions));
+  shell.section("SENS", formats::optionBytes(sensors));
+  writeBlob(out, shell.finish());
+  writeBlob(out, archive());
+  out << genericMapParams;
+}
+
+void CTraversabilityGridMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
+{
+  if (version != 0)
+  {
+    MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
+  }
+  const std::string shell_bytes = readBlob(in);
+  const std::string map_bytes = readBlob(in);
+  const formats::ArchiveReader shell(shell_bytes, kShellKind, kShellVersion);
+  likelihoodOptions =
+      formats::readOptionBytes<traversability_grid::LikelihoodParams>(shell.reader("LIKE"));
+  renderOptions = formats::readOptionBytes<TraversabilityRenderParams>(shell.reader("REND"));
+  sensors = formats::readOptionBytes<observations::ObservationParams>(shell.reader("SENS"));
+  setFromArchive(map_bytes);
+  in >> genericMapParams;
+}
+}  // namespace traverse::maps
