@@ -35,13 +35,21 @@ std::vector<std::pair<std::string, uint64_t>> cellsByClass(const layers::LayerSe
   }
   return counts;
 }
+
+/** The folder to write, with the folders above it made. */
+const std::filesystem::path& withParents(const std::filesystem::path& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::absolute(folder).parent_path(), error);
+  return folder;  // where that failed, OutputFolder says what is wrong
+}
 }  // namespace
 
 Outputs::Outputs(const Settings& settings, RunMetrics& metrics) :
     settings_(settings),
     metrics_(metrics),
     folder_(
-        settings.output, settings.force ? formats::Overwrite::replace : formats::Overwrite::refuse)
+        withParents(settings.output), settings.force ? formats::Overwrite::replace : formats::Overwrite::refuse)
 {
 }
 

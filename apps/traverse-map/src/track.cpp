@@ -3,7 +3,7 @@
 #include "track.h"
 
 #include <traverse/formats/trajectory.h>
-#include <traverse/logs/pose_reader.h>
+#include <traverse/logs/log_poses.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How MRPT's map factory makes the map from an ini.
-#include <traverse/config/strict_section.h>
+#include <traverse/config/creation_params.h>
+#include <traverse/config/strict.h>
 #include <traverse/maps/CTraversabilityGridMap.h>
 
 #include <mrpt/config/CConfigFileBase.h>
@@ -28,24 +29,6 @@ void dump(std::ostream& out, const char* title, const P& params)
   }
 }
 
-/** MRPT reads these itself, but lets misspelt ones pass. */
-void checkCreationOptions(const mrpt::config::CConfigFileBase& file, const std::string& section)
-{
-  const std::vector<std::string> known = {
-      "enableSaveAs3DObject", "enableObservationLikelihood", "enableObservationInsertion"};
-  config::readSection(
-      file, section, known,
-      [&](const std::string& key, const std::string& text)
-      {
-        const bool is_known = std::find(known.begin(), known.end(), key) != known.end();
-        bool ignored = false;
-        if (is_known)
-        {
-          options::parse(options::Option{key, ""}, text, ignored);
-        }
-        return is_known;
-      });
-}
 }  // namespace
 
 CTraversabilityGridMap::TMapDefinition::TMapDefinition() = default;
@@ -56,12 +39,13 @@ void CTraversabilityGridMap::TMapDefinition::loadFromConfigFile_map_specific(
   const std::string& prefix = sectionNamePrefix;
   config::checkSectionNames(
       source, prefix, {"_creationOpts", "_insertOpts", "_likelihoodOpts", "_renderOpts"});
-  checkCreationOptions(source, prefix + "_creationOpts");
-  config::loadSection(source, prefix + "_insertOpts", insertionOpts);
-  config::loadSection(source, prefix + "_likelihoodOpts", likelihoodOpts);
-  config::loadSection(source, prefix + "_renderOpts", render_opts);
-  config::loadSection(source, "Vehicle", vehicle);
-  config::loadSection(source, "Sensors", sensors);
+  config::CreationParams read_by_mrpt;
+  config::load(source, prefix + "_creationOpts", read_by_mrpt);
+  config::load(source, prefix + "_insertOpts", insertionOpts);
+  config::load(source, prefix + "_likelihoodOpts", likelihoodOpts);
+  config::load(source, prefix + "_renderOpts", render_opts);
+  config::load(source, "Vehicle", vehicle);
+  config::load(source, "Sensors", sensors);
   try
   {
     traversability_grid::check(insertionOpts);
@@ -69,7 +53,7 @@ void CTraversabilityGridMap::TMapDefinition::loadFromConfigFile_map_specific(
   }
   catch (const options::OptionError& e)
   {
-    throw config::SectionError("section [" + prefix + "_insertOpts] or [Sensors]: " + e.what());
+    throw config::ConfigError("[" + prefix + "_insertOpts] or [Sensors]: " + e.what());
   }
 }
 

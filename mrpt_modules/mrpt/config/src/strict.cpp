@@ -25,4 +25,31 @@ std::string unknownKey(
                                         : fmt::format("did you mean '{}'?", near);
   return fmt::format("[{}] unknown key '{}'; {}", section, key, hint);
 }
+
+void checkSectionNames(
+    const mrpt::config::CConfigFileBase& ini,
+    const std::string& prefix,
+    const std::vector<std::string>& endings)
+{
+  std::vector<std::string> sections;
+  ini.getAllSections(sections);
+  for (const std::string& section : sections)
+  {
+    if (!sameName(section.substr(0, prefix.size()), prefix))
+    {
+      continue;
+    }
+    const std::string ending = section.substr(prefix.size());
+    const bool known = std::any_of(
+        endings.begin(), endings.end(), [&](const std::string& e) { return sameName(e, ending); });
+    if (!known)
+    {
+      throw ConfigError(
+          fmt::format(
+              "section [{}] is none of this map's; they end in {}", section,
+              fmt::join(endings, ", ")),
+          section);
+    }
+  }
+}
 }  // namespace traverse::config

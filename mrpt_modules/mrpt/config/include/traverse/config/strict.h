@@ -77,4 +77,11 @@ void load(const mrpt::config::CConfigFileBase& ini, const std::string& section, 
     setStrictly(p, section, key, ini.read_string(section, key, ""));
   }
 }
+
+/** Throws ConfigError where the file has a section that begins with `prefix` but goes on with none
+ * of `endings`: a misspelt one would silently do nothing. */
+void checkSectionNames(
+    const mrpt::config::CConfigFileBase& ini,
+    const std::string& prefix,
+    const std::vector<std::string>& endings);
 }  // namespace traverse::config

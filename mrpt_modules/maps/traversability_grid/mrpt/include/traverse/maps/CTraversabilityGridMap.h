@@ -50,7 +50,7 @@ void visit(const TraversabilityRenderParams& p, F&& f)
  * Made from an ini by `CTraversabilityGridMap_count = 1` (or traversabilityGridMap_count) with the
  * sections <prefix>_insertOpts, _likelihoodOpts, _renderOpts and _creationOpts, and the sections
  * [Vehicle] and [Sensors], which all maps of the file share. All are read strictly: an unknown key
- * or a value that is not allowed throws config::SectionError.
+ * or a value that is not allowed throws config::ConfigError.
  *
  * Options may be changed in place; those that the cells' sums depend on (cell_size_m,
  * slab_height_m) only while the map is empty. */
