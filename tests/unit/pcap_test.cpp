@@ -105,8 +105,8 @@ Bytes ethernet(const Bytes& between, const Bytes& ip)
   return frame;
 }
 
-const Bytes kIpv4 = {0x08, 0x00};
-const Bytes kPayload = {1, 2, 3, 4, 5};
+const Bytes ipv4_type = {0x08, 0x00};
+const Bytes sample_payload = {1, 2, 3, 4, 5};
 
 /** A file that is gone with the test. */
 class PcapFile : public ::testing::Test
@@ -159,13 +159,13 @@ class PcapFile : public ::testing::Test
 TEST_F(PcapFile, YieldsTimePortAndPayload)
 {
   Bytes bytes = fileHeader(1);
-  append(bytes, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(bytes, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   PcapReader reader(write(bytes));
   const auto datagram = reader.next();
   ASSERT_TRUE(datagram);
   EXPECT_EQ(datagram->time, 1'600'000'000'000'500'000);
   EXPECT_EQ(datagram->destination_port, 2368);
-  EXPECT_EQ(Bytes(datagram->payload.begin(), datagram->payload.end()), kPayload);
+  EXPECT_EQ(Bytes(datagram->payload.begin(), datagram->payload.end()), sample_payload);
   EXPECT_FALSE(reader.next());
   EXPECT_EQ(reader.report().end, PcapEnd::clean);
   EXPECT_EQ(reader.report().message, "");
@@ -175,7 +175,7 @@ TEST_F(PcapFile, YieldsTimePortAndPayload)
 TEST_F(PcapFile, MayBeBigEndianWithNanoseconds)
 {
   Bytes bytes = fileHeader(101, 0xA1B23C4D, true);
-  append(bytes, record(udpInIp(kPayload), 999'999'999, true));
+  append(bytes, record(udpInIp(sample_payload), 999'999'999, true));
   PcapReader reader(write(bytes));
   const auto datagram = reader.next();
   ASSERT_TRUE(datagram);
@@ -185,7 +185,7 @@ TEST_F(PcapFile, MayBeBigEndianWithNanoseconds)
 TEST_F(PcapFile, MayBeGzipped)
 {
   Bytes bytes = fileHeader(1);
-  append(bytes, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(bytes, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   const PcapReport report = readAll(writeGz(bytes));
   EXPECT_EQ(report.datagrams, 1U);
   EXPECT_EQ(report.end, PcapEnd::clean);
@@ -194,12 +194,12 @@ TEST_F(PcapFile, MayBeGzipped)
 TEST_F(PcapFile, MayHaveVlanTagsOrLinuxCookedFrames)
 {
   Bytes bytes = fileHeader(1);
-  append(bytes, record(ethernet({0x88, 0xA8, 0, 1, 0x81, 0, 0, 2, 8, 0}, udpInIp(kPayload))));
+  append(bytes, record(ethernet({0x88, 0xA8, 0, 1, 0x81, 0, 0, 2, 8, 0}, udpInIp(sample_payload))));
   EXPECT_EQ(readAll(write(bytes)).datagrams, 1U);
   bytes = fileHeader(113);
   Bytes cooked(14, 0);
-  append(cooked, kIpv4);
-  append(cooked, udpInIp(kPayload));
+  append(cooked, ipv4_type);
+  append(cooked, udpInIp(sample_payload));
   append(bytes, record(cooked));
   EXPECT_EQ(readAll(write(bytes)).datagrams, 1U);
 }
@@ -207,13 +207,13 @@ TEST_F(PcapFile, MayHaveVlanTagsOrLinuxCookedFrames)
 TEST_F(PcapFile, HasItsFragmentsAndOtherProtocolsSkippedAndCounted)
 {
   Bytes bytes = fileHeader(1);
-  append(bytes, record(ethernet(kIpv4, udpInIp(kPayload, 0x20))));
+  append(bytes, record(ethernet(ipv4_type, udpInIp(sample_payload, 0x20))));
   append(bytes, record(ethernet({0x86, 0xDD}, Bytes(60))));
   append(bytes, record({}));
-  Bytes tcp = udpInIp(kPayload);
+  Bytes tcp = udpInIp(sample_payload);
   tcp[9] = 6;
-  append(bytes, record(ethernet(kIpv4, tcp)));
-  append(bytes, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(bytes, record(ethernet(ipv4_type, tcp)));
+  append(bytes, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   const PcapReport report = readAll(write(bytes));
   EXPECT_EQ(report.records, 5U);
   EXPECT_EQ(report.fragments, 1U);
@@ -224,9 +224,9 @@ TEST_F(PcapFile, HasItsFragmentsAndOtherProtocolsSkippedAndCounted)
 TEST_F(PcapFile, SaysWhereItIsCut)
 {
   Bytes whole = fileHeader(1);
-  append(whole, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(whole, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   const size_t second = whole.size();
-  append(whole, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(whole, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   for (size_t size = second + 1; size < whole.size(); ++size)
   {
     const PcapReport report =
@@ -297,7 +297,7 @@ TEST_F(PcapFile, SurvivesDamageEverywhere)
   Bytes good = fileHeader(1);
   for (int i = 0; i < 5; ++i)
   {
-    append(good, record(ethernet({0x81, 0, 0, 2, 8, 0}, udpInIp(kPayload))));
+    append(good, record(ethernet({0x81, 0, 0, 2, 8, 0}, udpInIp(sample_payload))));
   }
   std::mt19937 random(4);
   for (int round = 0; round < 2000; ++round)
