@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/data.h"
+#include "support/pcap_bytes.h"
 
 #include <traverse/formats/pcap.h>
 
@@ -14,99 +15,14 @@
 #include <vector>
 #include <zlib.h>
 
+namespace traverse::testing
+{
 namespace
 {
 using ::testing::HasSubstr;
 using traverse::formats::PcapEnd;
 using traverse::formats::PcapReader;
 using traverse::formats::PcapReport;
-
-using Bytes = std::vector<uint8_t>;
-
-void append(Bytes& to, const Bytes& what)
-{
-  to.insert(to.end(), what.begin(), what.end());
-}
-
-Bytes number(uint32_t value, bool big_endian = false)
-{
-  Bytes bytes;
-  for (unsigned i = 0; i < 4; ++i)
-  {
-    bytes.push_back(static_cast<uint8_t>(value >> 8U * (big_endian ? 3 - i : i)));
-  }
-  return bytes;
-}
-
-Bytes fileHeader(uint32_t link_type, uint32_t magic = 0xA1B2C3D4, bool big_endian = false)
-{
-  Bytes bytes;
-  const uint32_t version = big_endian ? 0x00020004 : 0x00040002;
-  for (const uint32_t value : {magic, version, 0U, 0U, 65535U, link_type})
-  {
-    append(bytes, number(value, big_endian));
-  }
-  return bytes;
-}
-
-Bytes record(const Bytes& frame, uint32_t ticks = 500, bool big_endian = false)
-{
-  Bytes bytes;
-  const auto size = static_cast<uint32_t>(frame.size());
-  for (const uint32_t value : {1'600'000'000U, ticks, size, size})
-  {
-    append(bytes, number(value, big_endian));
-  }
-  append(bytes, frame);
-  return bytes;
-}
-
-Bytes udpInIp(const Bytes& payload, uint8_t fragment_flags = 0)
-{
-  const auto length = static_cast<uint8_t>(28 + payload.size());
-  Bytes ip = {
-      0x45,
-      0,
-      0,
-      length,
-      0,
-      0,
-      fragment_flags,
-      0,
-      64,
-      17,
-      0,
-      0,
-      10,
-      0,
-      0,
-      1,
-      10,
-      0,
-      0,
-      2,
-      0x12,
-      34,
-      9,
-      64,
-      0,
-      static_cast<uint8_t>(8 + payload.size()),
-      0,
-      0};
-  append(ip, payload);
-  return ip;
-}
-
-Bytes ethernet(const Bytes& between, const Bytes& ip)
-{
-  Bytes frame(12, 0xEE);
-  append(frame, between);
-  append(frame, ip);
-  return frame;
-}
-
-const Bytes kIpv4 = {0x08, 0x00};
-const Bytes kPayload = {1, 2, 3, 4, 5};
 
 /** A file that is gone with the test. */
 class PcapFile : public ::testing::Test
@@ -159,13 +75,13 @@ class PcapFile : public ::testing::Test
 TEST_F(PcapFile, YieldsTimePortAndPayload)
 {
   Bytes bytes = fileHeader(1);
-  append(bytes, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(bytes, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   PcapReader reader(write(bytes));
   const auto datagram = reader.next();
   ASSERT_TRUE(datagram);
   EXPECT_EQ(datagram->time, 1'600'000'000'000'500'000);
   EXPECT_EQ(datagram->destination_port, 2368);
-  EXPECT_EQ(Bytes(datagram->payload.begin(), datagram->payload.end()), kPayload);
+  EXPECT_EQ(Bytes(datagram->payload.begin(), datagram->payload.end()), sample_payload);
   EXPECT_FALSE(reader.next());
   EXPECT_EQ(reader.report().end, PcapEnd::clean);
   EXPECT_EQ(reader.report().message, "");
@@ -175,7 +91,7 @@ TEST_F(PcapFile, YieldsTimePortAndPayload)
 TEST_F(PcapFile, MayBeBigEndianWithNanoseconds)
 {
   Bytes bytes = fileHeader(101, 0xA1B23C4D, true);
-  append(bytes, record(udpInIp(kPayload), 999'999'999, true));
+  append(bytes, record(udpInIp(sample_payload), 999'999'999, true));
   PcapReader reader(write(bytes));
   const auto datagram = reader.next();
   ASSERT_TRUE(datagram);
@@ -185,7 +101,7 @@ TEST_F(PcapFile, MayBeBigEndianWithNanoseconds)
 TEST_F(PcapFile, MayBeGzipped)
 {
   Bytes bytes = fileHeader(1);
-  append(bytes, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(bytes, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   const PcapReport report = readAll(writeGz(bytes));
   EXPECT_EQ(report.datagrams, 1U);
   EXPECT_EQ(report.end, PcapEnd::clean);
@@ -194,12 +110,12 @@ TEST_F(PcapFile, MayBeGzipped)
 TEST_F(PcapFile, MayHaveVlanTagsOrLinuxCookedFrames)
 {
   Bytes bytes = fileHeader(1);
-  append(bytes, record(ethernet({0x88, 0xA8, 0, 1, 0x81, 0, 0, 2, 8, 0}, udpInIp(kPayload))));
+  append(bytes, record(ethernet({0x88, 0xA8, 0, 1, 0x81, 0, 0, 2, 8, 0}, udpInIp(sample_payload))));
   EXPECT_EQ(readAll(write(bytes)).datagrams, 1U);
   bytes = fileHeader(113);
   Bytes cooked(14, 0);
-  append(cooked, kIpv4);
-  append(cooked, udpInIp(kPayload));
+  append(cooked, ipv4_type);
+  append(cooked, udpInIp(sample_payload));
   append(bytes, record(cooked));
   EXPECT_EQ(readAll(write(bytes)).datagrams, 1U);
 }
@@ -207,13 +123,13 @@ TEST_F(PcapFile, MayHaveVlanTagsOrLinuxCookedFrames)
 TEST_F(PcapFile, HasItsFragmentsAndOtherProtocolsSkippedAndCounted)
 {
   Bytes bytes = fileHeader(1);
-  append(bytes, record(ethernet(kIpv4, udpInIp(kPayload, 0x20))));
+  append(bytes, record(ethernet(ipv4_type, udpInIp(sample_payload, 0x20))));
   append(bytes, record(ethernet({0x86, 0xDD}, Bytes(60))));
   append(bytes, record({}));
-  Bytes tcp = udpInIp(kPayload);
+  Bytes tcp = udpInIp(sample_payload);
   tcp[9] = 6;
-  append(bytes, record(ethernet(kIpv4, tcp)));
-  append(bytes, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(bytes, record(ethernet(ipv4_type, tcp)));
+  append(bytes, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   const PcapReport report = readAll(write(bytes));
   EXPECT_EQ(report.records, 5U);
   EXPECT_EQ(report.fragments, 1U);
@@ -224,9 +140,9 @@ TEST_F(PcapFile, HasItsFragmentsAndOtherProtocolsSkippedAndCounted)
 TEST_F(PcapFile, SaysWhereItIsCut)
 {
   Bytes whole = fileHeader(1);
-  append(whole, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(whole, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   const size_t second = whole.size();
-  append(whole, record(ethernet(kIpv4, udpInIp(kPayload))));
+  append(whole, record(ethernet(ipv4_type, udpInIp(sample_payload))));
   for (size_t size = second + 1; size < whole.size(); ++size)
   {
     const PcapReport report =
@@ -297,10 +213,10 @@ TEST_F(PcapFile, SurvivesDamageEverywhere)
   Bytes good = fileHeader(1);
   for (int i = 0; i < 5; ++i)
   {
-    append(good, record(ethernet({0x81, 0, 0, 2, 8, 0}, udpInIp(kPayload))));
+    append(good, record(ethernet({0x81, 0, 0, 2, 8, 0}, udpInIp(sample_payload))));
   }
   std::mt19937 random(4);
-  for (int round = 0; round < 2000; ++round)
+  for (int round = 0; round < 500; ++round)
   {
     Bytes bytes = good;
     for (int flip = 0; flip < 4; ++flip)
@@ -321,7 +237,7 @@ TEST_F(PcapFile, SurvivesDamageEverywhere)
 
 TEST(MalformedCaptures, AreEachReadOrRefusedWithAMessage)
 {
-  const auto folder = traverse::testing::sharedData("malformed/pcap");
+  const auto folder = sharedData("malformed/pcap");
   TRAVERSE_NEEDS(folder);
   size_t files = 0;
   size_t refused = 0;
@@ -355,3 +271,4 @@ TEST(MalformedCaptures, AreEachReadOrRefusedWithAMessage)
   EXPECT_GT(files - refused - clean, 0U);
 }
 }  // namespace
+}  // namespace traverse::testing

@@ -44,8 +44,9 @@ TEST(ExactAngle, IsTheSineAndCosineEverywhere)
     ASSERT_NEAR(ours.sin, std::sin(angle_rad), 1e-15) << units;
     ASSERT_NEAR(ours.cos, std::cos(angle_rad), 1e-15) << units;
   }
-  for (double angle_rad = -7; angle_rad < 7; angle_rad += 0.01)
+  for (int i = -700; i < 700; ++i)
   {
+    const double angle_rad = i * 0.01;
     ASSERT_NEAR(sinCosOf(angle_rad).sin, std::sin(angle_rad), 2e-15) << angle_rad;
     ASSERT_NEAR(sinCosOf(angle_rad).cos, std::cos(angle_rad), 2e-15) << angle_rad;
   }
