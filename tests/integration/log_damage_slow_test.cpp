@@ -4,27 +4,11 @@
 
 #include <support/data.h>
 #include <support/log_damage.h>
-#include <zlib.h>
 
 namespace
 {
 using traverse::testing::readBytes;
-
-/** What a gzip file holds. */
-std::string unpacked(const std::string& packed)
-{
-  z_stream zlib{};
-  inflateInit2(&zlib, 16 + MAX_WBITS);
-  std::string bytes(64U << 20U, '\0');
-  zlib.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-  zlib.avail_in = static_cast<uInt>(packed.size());
-  zlib.next_out = reinterpret_cast<Bytef*>(bytes.data());
-  zlib.avail_out = static_cast<uInt>(bytes.size());
-  inflate(&zlib, Z_FINISH);
-  bytes.resize(zlib.total_out);
-  inflateEnd(&zlib);
-  return bytes;
-}
+using traverse::testing::unpacked;
 
 class RealLogDamage : public ::testing::TestWithParam<const char*>
 {

@@ -86,9 +86,10 @@ TEST(DebianLogs, AllAreComplete)
 {
   const std::filesystem::path folder = TRAVERSE_MRPT_DATA_DIR;
   TRAVERSE_NEEDS(folder);
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
   {
-    if (entry.path().extension() == ".rawlog")
+    // The RGB-D frame has its own test, and takes long in a build without optimisation.
+    if (entry.path().extension() == ".rawlog" && entry.path().filename() != "tests_rgbd.rawlog")
     {
       const LogReading r = readLog(entry.path());
       EXPECT_TRUE(r.report.complete()) << r.report.damage;
