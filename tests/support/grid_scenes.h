@@ -62,7 +62,7 @@ inline void drawCell(points::ScanBuffer& scan, char what, double x, double y)
         addPoint(scan, x + u, y + v, 0.36 * ((7 * k + 3) % 25) / 24.0);
         break;
       case 'g':
-        addPoint(scan, x + u, y + v, 0.36 * std::pow(((7 * k + 3) % 25) / 24.0, 4));
+        addPoint(scan, x + u, y + v, 0.36 * std::pow(((7 * k + 3) % 25) / 24.0, 6));
         break;
       default:
         break;

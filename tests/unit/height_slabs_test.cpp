@@ -76,7 +76,8 @@ TEST(HeightSlabs, AListIsSortedWhateverCameFirst)
 
 TEST(HeightSlabs, ReleasedSlabsAreUsedAgainAndEmpty)
 {
-  HeightSlabs slabs(3);
+  HeightSlabs slabs;
+  slabs.setMost(3);
   int32_t a = HeightSlabs::kNone;
   int32_t b = HeightSlabs::kNone;
   for (const int level : {1, 2, 3})

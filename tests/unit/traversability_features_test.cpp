@@ -85,7 +85,7 @@ TEST(Features, AreThoseOfTheNaiveFormulas)
     const Features ours = Column(points).features();
     const Features naive = reference(points);
     ASSERT_EQ(ours.n, naive.n);
-    EXPECT_EQ(ours.min_m, 1e-3 * std::llround(naive.min_m * 1e3));
+    EXPECT_NEAR(ours.min_m, naive.min_m, 1e-11);
     // The sums are exact; what remains is rounding of doubles at 100 m: some 1e-14 m.
     EXPECT_NEAR(ours.mean_m, naive.mean_m, 1e-11);
     EXPECT_NEAR(ours.max_m, naive.max_m, 1e-11);
@@ -167,6 +167,19 @@ TEST(Classifier, GivesTheFirstClassWhoseLimitsHold)
   EXPECT_EQ(classify(f), Class::obstacle);
   f.n = 2;
   EXPECT_EQ(classify(f), Class::undefined);
+}
+
+TEST(Classifier, WhatLiesOnALimitIsWithin)
+{
+  Params params;
+  params.flat.slope_deg = 45;
+  params.small_roughness.slope_deg = 45;
+  const Classifier classify(params);
+  // Mean height 30 mm with points at 0 and 60 mm; a plane of exactly 45 degrees.
+  const Features level = Column({{0, 0, 0}, {9, 0, 60}, {0, 9, 0}, {9, 9, 60}}).features();
+  EXPECT_EQ(level.deviation_m, 0.03);
+  const Features steep = Column({{0, 0, 0}, {9, 0, 9}, {0, 9, 0}, {9, 9, 9}}).features();
+  EXPECT_EQ(classify(steep), Class::flat);
 }
 
 TEST(Classifier, WithoutAPlaneOnlyAnObstacleIsSure)

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/lattice.h>
 #include <traverse/traversability_grid/features.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace traverse::traversability_grid
 namespace
 {
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kMetres = 1e-3;
+constexpr double kMmPerM = geometry::kMillimetresPerMetre;
 
 /** Below this share of the horizontal scatter's square its determinant is that of a line: points a
  * millimetre off a line across a cell of 0.2 m have 1e-5. */
@@ -45,13 +46,14 @@ struct Sums
   }
 };
 
+/** Normal equations of (3) about the centre, times n: whole numbers too. */
 void fitPlane(const Sums& s, double base_mm, Features& f)
 {
-  const double cxx = s.xx - s.x * s.x / s.n;
-  const double cxy = s.xy - s.x * s.y / s.n;
-  const double cyy = s.yy - s.y * s.y / s.n;
-  const double cxz = s.xz - s.x * s.z / s.n;
-  const double cyz = s.yz - s.y * s.z / s.n;
+  const double cxx = s.n * s.xx - s.x * s.x;
+  const double cxy = s.n * s.xy - s.x * s.y;
+  const double cyy = s.n * s.yy - s.y * s.y;
+  const double cxz = s.n * s.xz - s.x * s.z;
+  const double cyz = s.n * s.yz - s.y * s.z;
   const double determinant = cxx * cyy - cxy * cxy;
   const double scatter = cxx + cyy;
   f.has_plane = determinant > kSingular * scatter * scatter;
@@ -59,14 +61,17 @@ void fitPlane(const Sums& s, double base_mm, Features& f)
   {
     f.A = (cxz * cyy - cyz * cxy) / determinant;
     f.B = (cyz * cxx - cxz * cxy) / determinant;
-    f.C_m = (base_mm + (s.z - f.A * s.x - f.B * s.y) / s.n) * kMetres;
+    f.C_m = (base_mm + (s.z - f.A * s.x - f.B * s.y) / s.n) / kMmPerM;
   }
 }
 
+/** The limit's square of the tangent, with room for its rounding: points on a slope of exactly 45
+ * degrees do not exceed a limit of 45 degrees. */
 double tan2(double degrees)
 {
+  constexpr double kRoom = 1 + 1e-12;
   const double tangent = std::tan(degrees / kDegrees);
-  return degrees >= 90 ? std::numeric_limits<double>::infinity() : tangent * tangent;
+  return degrees >= 90 ? std::numeric_limits<double>::infinity() : kRoom * tangent * tangent;
 }
 }  // namespace
 
@@ -101,16 +106,18 @@ Features featuresOf(
     f.last_seen = std::max(f.last_seen, s->last_seen);
     sums.add(*s, static_cast<double>(bottom_mm - base_mm));
   }
+  // Whole numbers divided once: 30 mm are 0.03 m to the last bit, and meet a limit of 0.03 m.
   const auto base = static_cast<double>(base_mm);
-  const double mean_mm = sums.z / sums.n;  // (1)
-  const double max_mm = static_cast<double>(top_mm - base_mm);
-  const double min_mm = lowest->min_z_mm;
-  f.mean_m = (base + mean_mm) * kMetres;
-  f.min_m = (base + min_mm) * kMetres;
-  f.max_m = (base + max_mm) * kMetres;
-  f.deviation_m = std::max(max_mm - mean_mm, mean_mm - min_mm) * kMetres;                   // (2)
-  f.variance_m2 = std::max(0.0, sums.zz / sums.n - mean_mm * mean_mm) * kMetres * kMetres;  // (5)
-  fitPlane(sums, base, f);                                                                  // (3)
+  const double n = sums.n;
+  const double up = n * static_cast<double>(top_mm - base_mm) - sums.z;
+  const double down = sums.z - n * lowest->min_z_mm;
+  const double squares = n * sums.zz - sums.z * sums.z;
+  f.mean_m = (base + sums.z / n) / kMmPerM;  // (1)
+  f.min_m = (base + lowest->min_z_mm) / kMmPerM;
+  f.max_m = static_cast<double>(top_mm) / kMmPerM;
+  f.deviation_m = std::max(up, down) / n / kMmPerM;                        // (2)
+  f.variance_m2 = std::max(0.0, squares) / (n * n) / (kMmPerM * kMmPerM);  // (5)
+  fitPlane(sums, base, f);                                                 // (3)
   return f;
 }
 

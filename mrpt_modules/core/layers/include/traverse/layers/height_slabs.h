@@ -55,9 +55,7 @@ class HeightSlabs
  public:
   static constexpr int32_t kNone = -1;
 
-  /** At most so many slabs are made (2^31 - 1 at most); they take sizeof(HeightSlab) each. */
-  explicit HeightSlabs(size_t most = kMost) : most_(most < kMost ? most : kMost) {}
-
+  /** At most so many slabs are in use (2^31 - 1 at most); they take sizeof(HeightSlab) each. */
   void setMost(size_t most) { most_ = most < kMost ? most : kMost; }
 
   /** The slab of that level in the list, made where it is missing; nullptr where there are `most`
@@ -93,7 +91,7 @@ class HeightSlabs
   int32_t take();
 
   std::deque<Chunk> chunks_;  // growing one never moves the others
-  size_t most_;
+  size_t most_ = kMost;
   size_t made_ = 0;
   size_t used_ = 0;
   int32_t free_ = kNone;
