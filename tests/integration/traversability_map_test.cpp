@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <traverse/config/strict_section.h>
+#include <traverse/config/strict.h>
 #include <traverse/formats/bytes.h>
 #include <traverse/maps/CTraversabilityGridMap.h>
 #include <traverse/observations/to_scan.h>
