@@ -103,7 +103,7 @@ SceneContent contentOf(const Squares& squares)
          << int{p.b} << ", not " << int{c.r} << " " << int{c.g} << " " << int{c.b};
 }
 
-const Overlay kNothing{"", {}, false};
+const Overlay no_overlay{"", {}, false};
 
 class Offscreen : public ::testing::Test
 {
@@ -114,7 +114,7 @@ class Offscreen : public ::testing::Test
 TEST_F(Offscreen, TopViewHasXToTheRightAndYUpInTheObjectsColours)
 {
   const Squares squares = threeSquares();
-  const Raster r = renderTopView(contentOf(squares), kNothing, {400, 400}, Area{0, 0, 4, 4});
+  const Raster r = renderTopView(contentOf(squares), no_overlay, {400, 400}, Area{0, 0, 4, 4});
   ASSERT_EQ(r.width, 400U);
   ASSERT_EQ(r.height, 400U);
   EXPECT_TRUE(isColour(r, 100, 300, kRed));
@@ -127,7 +127,7 @@ TEST_F(Offscreen, TopViewHasTheScaleItSays)
 {
   const Squares squares = threeSquares();
   // 8 m x 4 m in 800 x 400: 100 pixels a metre; edges may be off by one pixel of smoothing.
-  const Raster r = renderTopView(contentOf(squares), kNothing, {800, 400}, Area{-2, -1, 6, 3});
+  const Raster r = renderTopView(contentOf(squares), no_overlay, {800, 400}, Area{-2, -1, 6, 3});
   EXPECT_TRUE(isColour(r, 198, 200, kGround));
   EXPECT_TRUE(isColour(r, 201, 200, kRed));
   EXPECT_TRUE(isColour(r, 398, 200, kRed));
@@ -143,7 +143,7 @@ TEST_F(Offscreen, TopViewKeepsTheScaleEqualInTallPictures)
 {
   const Squares squares = threeSquares();
   // 4 m in 200 pixels of width: 50 a metre; the height shows 8 m, centred at y = 2.
-  const Raster r = renderTopView(contentOf(squares), kNothing, {200, 400}, Area{0, 0, 4, 4});
+  const Raster r = renderTopView(contentOf(squares), no_overlay, {200, 400}, Area{0, 0, 4, 4});
   EXPECT_TRUE(isColour(r, 50, 98, kGround));
   EXPECT_TRUE(isColour(r, 50, 102, kBlue));
   EXPECT_TRUE(isColour(r, 50, 298, kRed));
@@ -155,7 +155,7 @@ TEST_F(Offscreen, AnySizeWillDo)
   const Squares squares = threeSquares();
   for (const int width : {1, 2, 3, 5, 333, 641, 642, 1281})
   {
-    const Raster r = renderTopView(contentOf(squares), kNothing, {width, 333}, Area{0, 0, 4, 4});
+    const Raster r = renderTopView(contentOf(squares), no_overlay, {width, 333}, Area{0, 0, 4, 4});
     ASSERT_EQ(r.width, static_cast<size_t>(width));
     ASSERT_EQ(r.height, 333U);
     const auto w = static_cast<size_t>(width);
@@ -171,10 +171,10 @@ TEST_F(Offscreen, AnySizeWillDo)
 TEST_F(Offscreen, SizesThatCannotBeAreRefused)
 {
   const Squares squares = threeSquares();
-  EXPECT_THROW(renderTopView(contentOf(squares), kNothing, {0, 10}), RenderError);
-  EXPECT_THROW(renderTopView(contentOf(squares), kNothing, {10, 5000}), RenderError);
+  EXPECT_THROW(renderTopView(contentOf(squares), no_overlay, {0, 10}), RenderError);
+  EXPECT_THROW(renderTopView(contentOf(squares), no_overlay, {10, 5000}), RenderError);
   EXPECT_THROW(
-      renderTopView(contentOf(squares), kNothing, {10, 10}, Area{0, 0, 0, 4}), RenderError);
+      renderTopView(contentOf(squares), no_overlay, {10, 10}, Area{0, 0, 0, 4}), RenderError);
 }
 
 TEST_F(Offscreen, SamePictureAgainAndFromAnotherThread)
@@ -194,7 +194,7 @@ TEST_F(Offscreen, FarFromTheOriginThePictureIsTheSame)
 {
   const Squares far = threeSquares(1e7, -1e7);
   const Raster r =
-      renderTopView(contentOf(far), kNothing, {400, 400}, Area{1e7, -1e7, 1e7 + 4, -1e7 + 4});
+      renderTopView(contentOf(far), no_overlay, {400, 400}, Area{1e7, -1e7, 1e7 + 4, -1e7 + 4});
   EXPECT_TRUE(isColour(r, 197, 203, kRed));
   EXPECT_TRUE(isColour(r, 203, 203, kGreen));
   EXPECT_TRUE(isColour(r, 197, 197, kBlue));
@@ -204,7 +204,7 @@ TEST_F(Offscreen, FarFromTheOriginThePictureIsTheSame)
 TEST_F(Offscreen, TheWholeMapIsInThePictureByDefault)
 {
   const Squares squares = threeSquares(-30, 70);
-  const Raster r = renderTopView(contentOf(squares), kNothing, {400, 400});
+  const Raster r = renderTopView(contentOf(squares), no_overlay, {400, 400});
   EXPECT_TRUE(isColour(r, 12, 388, kRed));
   EXPECT_TRUE(isColour(r, 2, 398, kGround));
   EXPECT_TRUE(isColour(r, 388, 388, kGreen));
@@ -219,7 +219,7 @@ TEST_F(Offscreen, RobotAxesAreDrawnOverTheMap)
   content.T_map_base =
       Eigen::Translation3d(1, 1, 0) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
   content.axes_length_m = 3;
-  const Raster r = renderTopView(content, kNothing, {400, 400}, Area{-4, -4, 4, 4});
+  const Raster r = renderTopView(content, no_overlay, {400, 400}, Area{-4, -4, 4, 4});
   const Colour x_axis = r.at(250, 150 - 60);  // 1.2 m along the robot's x, which is the map's y
   EXPECT_GT(x_axis.r, x_axis.g + 80);
   EXPECT_GT(x_axis.r, x_axis.b + 80);
@@ -233,7 +233,7 @@ TEST_F(Offscreen, TrajectoryAndScanPointsAreDrawn)
   SceneContent content = contentOf(squares);
   content.trajectory = {{0, 1, 0}, {4, 1, 0}};
   content.scans.push_back({{{3, 3, 0}}, {200, 0, 200}, 12});
-  const Raster r = renderTopView(content, kNothing, {400, 400}, Area{0, 0, 4, 4});
+  const Raster r = renderTopView(content, no_overlay, {400, 400}, Area{0, 0, 4, 4});
   EXPECT_LT(r.at(100, 299).r, 60) << "the line is dark";
   EXPECT_TRUE(isColour(r, 300, 100, {200, 0, 200}));
 }
@@ -241,7 +241,7 @@ TEST_F(Offscreen, TrajectoryAndScanPointsAreDrawn)
 TEST_F(Offscreen, LegendAndScaleBarAreWrittenOverIt)
 {
   const Squares squares = threeSquares();
-  const Raster plain = renderTopView(contentOf(squares), kNothing, {640, 480});
+  const Raster plain = renderTopView(contentOf(squares), no_overlay, {640, 480});
   const Raster r =
       renderTopView(contentOf(squares), {"a title", {{1, "flat", {1, 200, 2}}}, true}, {640, 480});
   EXPECT_TRUE(isColour(r, 35, 59, {1, 200, 2})) << "the swatch of the first entry";
@@ -261,7 +261,7 @@ TEST_F(Offscreen, PerspectiveShowsTheMapInTheMiddle)
   above.distance_m = 12;
   above.azimuth_deg = -90;
   above.elevation_deg = 89;
-  const Raster r = renderPerspective(contentOf(squares), kNothing, {400, 400}, above);
+  const Raster r = renderPerspective(contentOf(squares), no_overlay, {400, 400}, above);
   EXPECT_GT(r.at(150, 250).r, r.at(150, 250).b + 50) << "red is at the lower left";
   EXPECT_GT(r.at(150, 150).b, r.at(150, 150).r + 50) << "blue is at the upper left";
   EXPECT_TRUE(isColour(r, 2, 2, kGround));
@@ -269,8 +269,8 @@ TEST_F(Offscreen, PerspectiveShowsTheMapInTheMiddle)
 
 TEST_F(Offscreen, NothingToShowIsAPictureToo)
 {
-  EXPECT_TRUE(isColour(renderTopView({}, kNothing, {64, 64}), 32, 32, kGround));
-  EXPECT_TRUE(isColour(renderPerspective({}, kNothing, {64, 64}), 32, 32, kGround));
+  EXPECT_TRUE(isColour(renderTopView({}, no_overlay, {64, 64}), 32, 32, kGround));
+  EXPECT_TRUE(isColour(renderPerspective({}, no_overlay, {64, 64}), 32, 32, kGround));
 }
 
 TEST_F(Offscreen, SceneFilesAreReadByMrptAndTheSameEachTime)

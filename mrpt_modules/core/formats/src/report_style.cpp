@@ -4,9 +4,9 @@
 
 namespace traverse::formats
 {
-std::string_view styleSheet()
+namespace
 {
-  return R"css(
+constexpr std::string_view kStyleSheet = R"css(
 :root {
   color-scheme: light dark;
   --page: #f6f7f9; --card: #ffffff; --ink: #1c2330; --soft: #5b6576; --line: #dde2ea;
@@ -79,5 +79,10 @@ footer { padding-top: 4px; padding-bottom: 40px; color: var(--soft); font-size: 
   body { background: none; } section { break-inside: avoid; border: none; padding: 0; } nav { display: none; }
 }
 )css";
+}  // namespace
+
+std::string_view styleSheet()
+{
+  return kStyleSheet;
 }
 }  // namespace traverse::formats

@@ -12,7 +12,7 @@
 namespace mrpt::opengl
 {
 class CFBORender;
-}
+}  // namespace mrpt::opengl
 
 namespace traverse::rendering
 {

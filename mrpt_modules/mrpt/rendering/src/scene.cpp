@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace traverse::rendering
 {
@@ -29,8 +30,8 @@ constexpr double kTrajectoryWidth = 0.004;  // of the content's longer side
 /** A growing box of finite points. */
 struct Box
 {
-  Eigen::Vector3d min = Eigen::Vector3d::Constant(INFINITY);
-  Eigen::Vector3d max = Eigen::Vector3d::Constant(-INFINITY);
+  Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
 
   void add(const Eigen::Vector3d& p)
   {

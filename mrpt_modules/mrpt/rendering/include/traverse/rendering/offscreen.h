@@ -15,7 +15,7 @@
 namespace mrpt::opengl
 {
 class Visualizable;
-}
+}  // namespace mrpt::opengl
 
 namespace traverse::rendering
 {
