@@ -72,7 +72,7 @@ class Decoder
     out_.image.max_range_m = in.limits.max_m;
     if (in.colour != nullptr)
     {
-      T_camera_sensor_ = in.colour->T_sensor_camera.inverse();
+      sensor_to_camera_ = in.colour->T_sensor_camera.inverse();
     }
   }
 
@@ -130,12 +130,12 @@ class Decoder
     out_.scan.ring.push_back(static_cast<uint16_t>(row));
     if (in_.colour != nullptr)
     {
-      out_.scan.rgb.push_back(colourAt(*in_.colour, T_camera_sensor_ * p_sensor));
+      out_.scan.rgb.push_back(colourAt(*in_.colour, sensor_to_camera_ * p_sensor));
     }
   }
 
   const DepthImage& in_;
-  Eigen::Isometry3d T_camera_sensor_ = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d sensor_to_camera_ = Eigen::Isometry3d::Identity();
   Decoded out_;
 };
 }  // namespace
