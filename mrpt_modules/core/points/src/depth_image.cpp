@@ -37,9 +37,9 @@ void check(const DepthImage& in)
   }
 }
 
-uint32_t colourAt(const ColourImage& image, const Eigen::Vector3d& p_sensor)
+uint32_t colourAt(const ColourImage& image, const Eigen::Vector3d& p_camera)
 {
-  const auto pixel = sensors::project(image.camera, image.T_sensor_camera.inverse() * p_sensor);
+  const auto pixel = sensors::project(image.camera, p_camera);
   if (!pixel)
   {
     return 0;
@@ -70,6 +70,10 @@ class Decoder
     out_.image.rows = (in.camera.rows + in.step - 1) / in.step;
     out_.image.columns = (in.camera.columns + in.step - 1) / in.step;
     out_.image.max_range_m = in.limits.max_m;
+    if (in.colour != nullptr)
+    {
+      sensor_to_camera_ = in.colour->T_sensor_camera.inverse();
+    }
   }
 
   void take(int u, int v)
@@ -126,11 +130,12 @@ class Decoder
     out_.scan.ring.push_back(static_cast<uint16_t>(row));
     if (in_.colour != nullptr)
     {
-      out_.scan.rgb.push_back(colourAt(*in_.colour, p_sensor));
+      out_.scan.rgb.push_back(colourAt(*in_.colour, sensor_to_camera_ * p_sensor));
     }
   }
 
   const DepthImage& in_;
+  Eigen::Isometry3d sensor_to_camera_ = Eigen::Isometry3d::Identity();
   Decoded out_;
 };
 }  // namespace

@@ -15,20 +15,17 @@ constexpr double kConverged = 1e-9;
 /** The radial factor and the tangential shift at an undistorted, normalised place. */
 struct Distortion
 {
-  double factor;
-  Eigen::Vector2d shift;
+  double factor, shift_x, shift_y;
 };
 
-Distortion distortionAt(const std::array<double, 8>& d, const Eigen::Vector2d& p)
+Distortion distortionAt(const std::array<double, 8>& d, double x, double y)
 {
-  const double r2 = p.squaredNorm();
+  const double r2 = x * x + y * y;
   const double numerator = 1 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]));
   const double denominator = 1 + r2 * (d[5] + r2 * (d[6] + r2 * d[7]));
-  const double xy = p.x() * p.y();
   return {
-      numerator / denominator,
-      {2 * d[2] * xy + d[3] * (r2 + 2 * p.x() * p.x()),
-       d[2] * (r2 + 2 * p.y() * p.y()) + 2 * d[3] * xy}};
+      numerator / denominator, 2 * d[2] * x * y + d[3] * (r2 + 2 * x * x),
+      d[2] * (r2 + 2 * y * y) + 2 * d[3] * x * y};
 }
 }  // namespace
 
@@ -51,33 +48,38 @@ std::optional<Eigen::Vector2d> project(const Pinhole& camera, const Eigen::Vecto
   {
     return std::nullopt;
   }
-  Eigen::Vector2d p = p_optical.head<2>() / p_optical.z();
+  double x = p_optical.x() / p_optical.z();
+  double y = p_optical.y() / p_optical.z();
   if (camera.distorts())
   {
-    const Distortion at = distortionAt(camera.distortion, p);
-    p = p * at.factor + at.shift;
+    const Distortion at = distortionAt(camera.distortion, x, y);
+    x = x * at.factor + at.shift_x;
+    y = y * at.factor + at.shift_y;
   }
-  return Eigen::Vector2d(camera.fx_px * p.x() + camera.cx_px, camera.fy_px * p.y() + camera.cy_px);
+  return Eigen::Vector2d(camera.fx_px * x + camera.cx_px, camera.fy_px * y + camera.cy_px);
 }
 
 std::optional<Eigen::Vector3d> ray(const Pinhole& camera, double u_px, double v_px)
 {
-  const Eigen::Vector2d seen(
-      (u_px - camera.cx_px) / camera.fx_px, (v_px - camera.cy_px) / camera.fy_px);
+  const double seen_x = (u_px - camera.cx_px) / camera.fx_px;
+  const double seen_y = (v_px - camera.cy_px) / camera.fy_px;
   if (!camera.distorts())
   {
-    return Eigen::Vector3d(seen.x(), seen.y(), 1);
+    return Eigen::Vector3d(seen_x, seen_y, 1);
   }
-  Eigen::Vector2d p = seen;
+  double x = seen_x;
+  double y = seen_y;
   for (int i = 0; i < kMaxIterations; ++i)
   {
-    const Distortion at = distortionAt(camera.distortion, p);
-    const Eigen::Vector2d next = (seen - at.shift) / at.factor;
-    const double moved = (next - p).norm();
-    p = next;
+    const Distortion at = distortionAt(camera.distortion, x, y);
+    const double next_x = (seen_x - at.shift_x) / at.factor;
+    const double next_y = (seen_y - at.shift_y) / at.factor;
+    const double moved = std::hypot(next_x - x, next_y - y);
+    x = next_x;
+    y = next_y;
     if (moved < kConverged)
     {
-      return Eigen::Vector3d(p.x(), p.y(), 1);
+      return Eigen::Vector3d(x, y, 1);
     }
   }
   return std::nullopt;

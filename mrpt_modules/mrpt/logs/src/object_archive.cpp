@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "object_archive.h"
 
+#include <traverse/observations/cause.h>
+
 #include <mrpt/rtti/CObject.h>
 
 #include <algorithm>
@@ -29,10 +31,12 @@ bool isTypeName(const std::string& name)
 }
 }  // namespace
 
-void ObjectArchive::fail(const std::string& why) const
+void ObjectArchive::fail(const std::string& why)
 {
-  // A reason of the bytes themselves (cut short, bad check sum) explains all that comes of it.
-  throw LogDamage(source_.damage().empty() ? why : source_.damage());
+  // The first reason explains all that comes of it, and one of the bytes themselves (cut short, bad
+  // check sum) even that.
+  fault_ = fault_.empty() ? why : fault_;
+  throw LogDamage(source_.damage().empty() ? fault_ : source_.damage());
 }
 
 size_t ObjectArchive::write(const void* /*buffer*/, size_t /*length*/)
@@ -59,6 +63,7 @@ size_t ObjectArchive::read(void* buffer, size_t length)
 std::optional<ObjectHeader> ObjectArchive::readHeader()
 {
   body_bytes_ = 0;
+  fault_.clear();
   uint8_t length = 0;
   if (source_.read(&length, 1) == 0)
   {
@@ -114,8 +119,7 @@ void ObjectArchive::readBody(mrpt::serialization::CSerializable* object, const O
   }
   catch (const std::exception& e)
   {
-    const std::string what = e.what();
-    fail("an object that cannot be read (" + what.substr(0, what.find_first_of("\r\n")) + ")");
+    fail("an object that cannot be read (" + observations::causeOf(e) + ")");
   }
 }
 

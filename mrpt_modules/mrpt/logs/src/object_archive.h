@@ -61,10 +61,11 @@ class ObjectArchive : public mrpt::serialization::CArchive
   size_t read(void* buffer, size_t length) override;
 
  private:
-  [[noreturn]] void fail(const std::string& why) const;
+  [[noreturn]] void fail(const std::string& why);
 
   ByteSource& source_;
   SharedProgress& progress_;
   uint64_t body_bytes_ = 0;
+  std::string fault_;  // of this object; MRPT's readers swallow exceptions and throw their own
 };
 }  // namespace traverse::logs

@@ -5,8 +5,6 @@
 #include <traverse/observations/to_scan.h>
 #include <traverse/points/sweep.h>
 
-#include <mrpt/obs/CRawlog.h>
-
 #include <string_view>
 
 namespace traverse::logs
@@ -17,12 +15,26 @@ using observations::Outcome;
 using observations::ScanResult;
 constexpr size_t kLongestLabel = 256;
 
+/** By MRPT's rule: beside `some.rawlog`, some_Images, some_images, some_IMAGES, or else Images.
+ * (CRawlog::detectImagesDirectory() of 2.5.8 asks for files of these names, and finds no folder.)
+ */
 std::filesystem::path imageFolder(const JobSettings& settings)
 {
-  const std::filesystem::path given = settings.sensors.image_folder;
-  return given.empty() ? std::filesystem::path(
-                             mrpt::obs::CRawlog::detectImagesDirectory(settings.log.string()))
-                       : settings.log.parent_path() / given;
+  const std::filesystem::path beside = std::filesystem::absolute(settings.log).parent_path();
+  if (!settings.sensors.image_folder.empty())
+  {
+    return beside / settings.sensors.image_folder;
+  }
+  for (const char* ending : {"_Images", "_images", "_IMAGES"})
+  {
+    const std::filesystem::path folder = beside / (settings.log.stem().string() + ending);
+    std::error_code none;
+    if (std::filesystem::is_directory(folder, none))
+    {
+      return folder;
+    }
+  }
+  return beside / "Images";
 }
 
 template <class T>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "decoders.h"
 
+#include <traverse/observations/cause.h>
 #include <traverse/observations/convert.h>
 #include <traverse/observations/to_scan.h>
 #include <traverse/points/exclude.h>
@@ -36,13 +37,6 @@ const std::array<Entry, 5>& decoders()
   return kAll;
 }
 
-/** MRPT's messages go on with a call stack; a cause is counted by its first line. */
-std::string firstLine(const std::string& text)
-{
-  constexpr size_t kLongest = 160;
-  return text.substr(0, std::min(text.find_first_of("\r\n"), kLongest));
-}
-
 void excludeOwnBody(points::Decoded& decoded, const ObservationParams& params)
 {
   if (params.own_body_min_m.size() != 3 || params.own_body_max_m.size() != 3)
@@ -68,7 +62,7 @@ ScanResult decodeWith(const Entry& entry, const Request& request)
   }
   catch (const std::exception& e)
   {
-    return {Outcome::rejected, {}, firstLine(e.what())};
+    return {Outcome::rejected, {}, causeOf(e)};
   }
 }
 }  // namespace
