@@ -127,6 +127,17 @@ TEST(OutputFolder, ANextRunMayStartAsSoonAsOneHasEnded)
   EXPECT_EQ(content(scratch.path() / "out" / "map.tif"), "second");
 }
 
+TEST(OutputFolder, TheEndOfOneRunLeavesTheFolderOfTheNextAlone)
+{
+  const ScratchFolder scratch;
+  auto first = std::make_optional<OutputFolder>(scratch.path() / "out", Overwrite::refuse);
+  first->write("metrics.json", "1");
+  first->commit();
+  OutputFolder second(scratch.path() / "out", Overwrite::replace);
+  first.reset();
+  EXPECT_NO_THROW(second.write("map.tif", "x"));
+}
+
 TEST(OutputFolder, WhatAnotherRunMadeMeanwhileIsKept)
 {
   const ScratchFolder scratch;

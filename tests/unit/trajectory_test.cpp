@@ -33,8 +33,8 @@ std::string errorOf(const std::string& rows, const std::string& times = "")
   return "";
 }
 
-const std::string kTum = "1305031102.175304 1 2 3 0 0 0.5 0.8660254037844386\n";
-const std::string kKittiRow = "1 0 0 10 0 1 0 20 0 0 1 30\n";
+const std::string tum_row = "1305031102.175304 1 2 3 0 0 0.5 0.8660254037844386\n";
+const std::string kitti_row = "1 0 0 10 0 1 0 20 0 0 1 30\n";
 
 TEST(ParseSecondsAsNs, IsExactToTheNanosecond)
 {
@@ -74,7 +74,8 @@ TEST(ParseNumber, TakesFiniteNumbersOnly)
 
 TEST(Trajectory, ReadsTum)
 {
-  const auto poses = parseTrajectory({"# comment\r\n\n\t" + kTum + "5 0 0 0 0 0 0 1 # end", "p"});
+  const auto poses =
+      parseTrajectory({"# comment\r\n\n\t" + tum_row + "5 0 0 0 0 0 0 1 # end", "p"});
   ASSERT_EQ(poses.size(), 2U);
   EXPECT_EQ(poses[0].time, 1305031102175304000);
   EXPECT_EQ(poses[0].T_map_base.translation(), Eigen::Vector3d(1, 2, 3));
@@ -86,7 +87,7 @@ TEST(Trajectory, ReadsTum)
 TEST(Trajectory, ReadsKittiWithItsTimes)
 {
   const auto poses = parseTrajectory(
-      {kKittiRow + "0 -1 0 1 1 0 0 2 0 0 1 3\n", "p"}, {"0.000000e+00\n1.036224e-01\n", "t"});
+      {kitti_row + "0 -1 0 1 1 0 0 2 0 0 1 3\n", "p"}, {"0.000000e+00\n1.036224e-01\n", "t"});
   ASSERT_EQ(poses.size(), 2U);
   EXPECT_EQ(poses[0].T_map_base.translation(), Eigen::Vector3d(10, 20, 30));
   EXPECT_EQ(poses[1].time, 103622400);
@@ -98,7 +99,7 @@ TEST(Trajectory, ReadsKittiWithItsTimes)
 TEST(Trajectory, FrameNumbersPickTheirTimes)
 {
   const auto poses =
-      parseTrajectory({"2 " + kKittiRow + "0 " + kKittiRow, "p"}, {"5\n6\n7\n8\n", "t"});
+      parseTrajectory({"2 " + kitti_row + "0 " + kitti_row, "p"}, {"5\n6\n7\n8\n", "t"});
   ASSERT_EQ(poses.size(), 2U);
   EXPECT_EQ(poses[0].time, 7000000000);
   EXPECT_EQ(poses[1].time, 5000000000);
@@ -107,18 +108,18 @@ TEST(Trajectory, FrameNumbersPickTheirTimes)
 TEST(Trajectory, ErrorsNameFileAndLine)
 {
   EXPECT_EQ(errorOf("# x\n1 2 3\n"), "p.txt:2: 3 columns: TUM has 8, KITTI 12 or 13");
-  EXPECT_EQ(errorOf(kTum + "1 2 3\n"), "p.txt:2: 3 columns, the rows before have 8");
+  EXPECT_EQ(errorOf(tum_row + "1 2 3\n"), "p.txt:2: 3 columns, the rows before have 8");
   EXPECT_EQ(errorOf("1 2 x3 3 0 0 0 1"), "p.txt:1: 'x3' is no finite number");
   EXPECT_EQ(errorOf("1 2 nan 3 0 0 0 1"), "p.txt:1: 'nan' is no finite number");
   EXPECT_EQ(errorOf("t 1 2 3 0 0 0 1"), "p.txt:1: 't' is no time in seconds");
   EXPECT_EQ(errorOf("1 1 2 3 0 0 0 2"), "p.txt:1: the quaternion has length 2, not 1");
   EXPECT_EQ(errorOf("1 1e9 2 3 0 0 0 1"), "p.txt:1: the position is beyond 1e8 m");
   EXPECT_EQ(errorOf("# nothing\n"), "p.txt: no pose in it");
-  EXPECT_EQ(errorOf(kKittiRow), "p.txt:1: KITTI rows need a file of times");
-  EXPECT_EQ(errorOf(kKittiRow, "1 2\n"), "t.txt:1: 2 words, a time is one");
-  EXPECT_EQ(errorOf(kKittiRow, "1\n2\n"), "p.txt has 1 rows, but t.txt has 2 times");
+  EXPECT_EQ(errorOf(kitti_row), "p.txt:1: KITTI rows need a file of times");
+  EXPECT_EQ(errorOf(kitti_row, "1 2\n"), "t.txt:1: 2 words, a time is one");
+  EXPECT_EQ(errorOf(kitti_row, "1\n2\n"), "p.txt has 1 rows, but t.txt has 2 times");
   EXPECT_EQ(
-      errorOf(kKittiRow + kKittiRow, "1\n"),
+      errorOf(kitti_row + kitti_row, "1\n"),
       "p.txt:2: no time for row or frame 1: t.txt has 1 times");
   EXPECT_EQ(
       errorOf("2 0 0 10 0 2 0 20 0 0 2 30", "1\n"),
@@ -127,7 +128,7 @@ TEST(Trajectory, ErrorsNameFileAndLine)
       errorOf("1 0 0 0 0 1 0 0 0 0 -1 0", "1\n"),
       "p.txt:1: the first three columns of the 3x4 matrix are no rotation")
       << "a mirror";
-  EXPECT_EQ(errorOf("-1 " + kKittiRow, "1\n"), "p.txt:1: '-1' is no frame number");
+  EXPECT_EQ(errorOf("-1 " + kitti_row, "1\n"), "p.txt:1: '-1' is no frame number");
 }
 
 TEST(Trajectory, TumComesBackAsItWas)
@@ -174,10 +175,10 @@ TEST(Trajectory, ACommaLocaleChangesNothing)
 TEST(Trajectory, RandomBytesNeverCrashTheReader)
 {
   std::mt19937 random(11);
-  const std::string alphabet("0123456789.eE+- \n\t#x\0\xff", 23);
+  const std::string alphabet = std::string("0123456789.eE+- \n\t#x\xff") + '\0';
   for (int i = 0; i < 20000; ++i)
   {
-    std::string text = i % 2 == 0 ? kTum + kTum : kKittiRow;
+    std::string text = i % 2 == 0 ? tum_row + tum_row : kitti_row;
     for (int n = 0; n < 1 + i % 7; ++n)
     {
       text[random() % text.size()] = alphabet[random() % alphabet.size()];

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "html_text.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -11,26 +13,44 @@ namespace
 {
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
+/** What may follow the first byte of a UTF-8 character (RFC 3629, table of section 4). */
+struct Utf8Form
+{
+  uint8_t first_low, first_high;
+  uint8_t second_low, second_high;
+  size_t length;
+};
+
+constexpr std::array<Utf8Form, 9> kUtf8Forms = {
+    {{0x00, 0x7F, 0x00, 0x00, 1},
+     {0xC2, 0xDF, 0x80, 0xBF, 2},
+     {0xE0, 0xE0, 0xA0, 0xBF, 3},
+     {0xE1, 0xEC, 0x80, 0xBF, 3},
+     {0xED, 0xED, 0x80, 0x9F, 3},
+     {0xEE, 0xEF, 0x80, 0xBF, 3},
+     {0xF0, 0xF0, 0x90, 0xBF, 4},
+     {0xF1, 0xF3, 0x80, 0xBF, 4},
+     {0xF4, 0xF4, 0x80, 0x8F, 4}}};
+
+bool fits(const Utf8Form& form, std::string_view text)
+{
+  const auto within = [&](size_t i, uint8_t low, uint8_t high)
+  { return uint8_t(text[i]) >= low && uint8_t(text[i]) <= high; };
+  bool good = text.size() >= form.length && within(0, form.first_low, form.first_high) &&
+              (form.length == 1 || within(1, form.second_low, form.second_high));
+  for (size_t i = 2; good && i < form.length; ++i)
+  {
+    good = within(i, 0x80, 0xBF);
+  }
+  return good;
+}
+
 /** Length of the well-formed UTF-8 character at the front, 0 where there is none. */
 size_t utf8Length(std::string_view text)
 {
-  const auto byte = [&](size_t i) { return i < text.size() ? uint8_t(text[i]) : uint8_t{0}; };
-  const uint8_t first = byte(0);
-  const size_t length = first < 0x80U                      ? 1
-                        : first >= 0xC2U && first <= 0xDFU ? 2
-                        : (first & 0xF0U) == 0xE0U         ? 3
-                        : first >= 0xF0U && first <= 0xF4U ? 4
-                                                           : 0;
-  for (size_t i = 1; i < length; ++i)
-  {
-    if ((byte(i) & 0xC0U) != 0x80U)
-    {
-      return 0;
-    }
-  }
-  const bool overlong = (first == 0xE0U && byte(1) < 0xA0U) || (first == 0xF0U && byte(1) < 0x90U);
-  const bool beyond = (first == 0xEDU && byte(1) > 0x9FU) || (first == 0xF4U && byte(1) > 0x8FU);
-  return overlong || beyond ? 0 : length;
+  const auto form = std::find_if(
+      kUtf8Forms.begin(), kUtf8Forms.end(), [&](const Utf8Form& f) { return fits(f, text); });
+  return form == kUtf8Forms.end() ? 0 : form->length;
 }
 
 std::string_view escapedAscii(char c)

@@ -136,7 +136,10 @@ OutputFolder::OutputFolder(const fs::path& directory, Overwrite mode) :
 
 OutputFolder::~OutputFolder()
 {
-  ::rmdir(partial_.c_str());  // only if nothing was written; after commit it is not there any more
+  if (lock_->partial.fd() >= 0)  // not committed: the name may be another run's by then
+  {
+    ::rmdir(partial_.c_str());  // only if nothing was written
+  }
 }
 
 void OutputFolder::checkTarget() const

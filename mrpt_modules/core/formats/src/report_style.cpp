@@ -4,9 +4,9 @@
 
 namespace traverse::formats
 {
-std::string_view styleSheet()
+namespace
 {
-  return R"css(
+constexpr std::string_view kStyleSheet = R"css(
 :root {
   color-scheme: light dark;
   --page: #f6f7f9; --card: #ffffff; --ink: #1c2330; --soft: #5b6576; --line: #dde2ea;
@@ -25,7 +25,10 @@ body {
 }
 header, main, footer { max-width: 1080px; margin: 0 auto; padding: 0 24px; }
 header { padding-top: 44px; padding-bottom: 8px; }
-h1 { margin: 0; font-size: 30px; line-height: 1.2; font-weight: 650; letter-spacing: -0.01em; }
+h1 {
+  margin: 0; font-size: 30px; line-height: 1.2; font-weight: 650; letter-spacing: -0.01em;
+  overflow-wrap: anywhere;
+}
 .subtitle { margin: 6px 0 0; color: var(--soft); overflow-wrap: anywhere; }
 nav { margin-top: 18px; display: flex; flex-wrap: wrap; gap: 6px 18px; font-size: 14px; }
 nav a { color: var(--accent); text-decoration: none; }
@@ -76,5 +79,10 @@ footer { padding-top: 4px; padding-bottom: 40px; color: var(--soft); font-size: 
   body { background: none; } section { break-inside: avoid; border: none; padding: 0; } nav { display: none; }
 }
 )css";
+}  // namespace
+
+std::string_view styleSheet()
+{
+  return kStyleSheet;
 }
 }  // namespace traverse::formats
