@@ -16,3 +16,5 @@ add_test(NAME install_outside_project COMMAND ${CMAKE_COMMAND}
   -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR} -DWORK=${PROJECT_BINARY_DIR}/install_test
   -P ${CMAKE_CURRENT_LIST_DIR}/install/outside_test.cmake)
 set_tests_properties(install_outside_project PROPERTIES LABELS "install;default" TIMEOUT 600)
+traverse_test(integration stock_viewers_test USES plugin layers traversability_grid observations
+  LIBS mrpt::maps mrpt::obs mrpt::opengl SLOW SERIAL)

@@ -12,6 +12,10 @@ namespace traverse::rendering
 {
 namespace
 {
+/** Where MRPT's light comes from. A saved scene forgets that it is not to be lit; normals that look
+ * into the light get 0.2 ambient + 0.8 diffuse of their colour there, which is all of it. */
+const mrpt::math::TVector3Df kTowardsLight(0.40825F, 0.40825F, 0.81650F);
+
 template <class T>
 const std::vector<T>& layerOf(const layers::LayerSet& set, std::string_view name)
 {
@@ -99,8 +103,9 @@ mrpt::opengl::CSetOfTriangles::Ptr layerSurface(
       const auto c = surface.corner(x + 1, y + 1, h);
       const auto d = surface.corner(x, y + 1, h);
       const auto i = static_cast<size_t>(y) * set.extent.width() + x;
-      triangles.emplace_back(a, b, c).setColor(colours[classes[i]]);
-      triangles.emplace_back(a, c, d).setColor(colours[classes[i]]);
+      const mrpt::math::TVector3Df n = kTowardsLight;
+      triangles.emplace_back(a, b, c, n, n, n).setColor(colours[classes[i]]);
+      triangles.emplace_back(a, c, d, n, n, n).setColor(colours[classes[i]]);
     }
   }
   auto object = mrpt::opengl::CSetOfTriangles::Create();

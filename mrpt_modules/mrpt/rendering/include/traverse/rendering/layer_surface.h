@@ -12,10 +12,10 @@ namespace traverse::rendering
 {
 /** The class layer's colours on a surface through the cells' heights, for MRPT's scenes.
  *
- * Each cell with a finite height is two triangles in its class's legend colour, without lighting,
- * so that the colours are the legend's; a corner lies at the mean height of those cells around it
- * that differ from the cell by most_relief_m at most (a wall does not drag the road beside it up).
- * Coordinates of the map frame.
+ * Each cell with a finite height is two triangles in its class's legend colour, without shades, so
+ * that the colours are the legend's also in viewers; a corner lies at the mean height of those
+ * cells around it that differ from the cell by most_relief_m at most (a wall does not drag the road
+ * beside it up). Coordinates of the map frame.
  *
  * Throws std::invalid_argument where there is no class layer or no float layer of that name. */
 mrpt::opengl::CSetOfTriangles::Ptr layerSurface(
