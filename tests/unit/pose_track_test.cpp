@@ -37,6 +37,26 @@ TEST(PoseTrack, InterpolatesBetweenStampedPoses)
   EXPECT_NEAR(Eigen::AngleAxisd(pose->T_map_base.linear()).angle(), 0.1, 1e-12);
 }
 
+TEST(PoseTrack, FollowsTheArcOfACarThatTurns)
+{
+  // 20 m/s on a circle of 40 m, a pose every 0.5 s: half-way, the chord is 31 cm off the arc.
+  const auto car = [](double t_s)
+  {
+    const double radius = 40;
+    const double yaw = 20 / radius * t_s;
+    StampedPose pose = at(t_s, radius * std::sin(yaw), yaw);
+    pose.T_map_base.translation().y() = radius * (1 - std::cos(yaw));
+    return pose;
+  };
+  const PoseTrack track({car(10), car(10.5)});
+  for (const double t : {10.1, 10.25, 10.4, 10.7})
+  {
+    const auto pose = track.at(static_cast<TimeNs>(t * kSecond));
+    const Eigen::Isometry3d error = pose->T_map_base.inverse() * car(t).T_map_base;
+    EXPECT_LT(error.translation().norm(), 1e-6) << t;  // time is rounded to 1 ns: 20 nm
+  }
+}
+
 TEST(PoseTrack, LooksUpByTimeNotByArrival)
 {
   const PoseTrack track({at(11, 2), at(10, 0), at(10.5, 1)});

@@ -143,17 +143,34 @@ std::optional<TrackedPose> PoseTrack::beyondEnd(size_t nearest, TimeNs time) con
   return TrackedPose{end.T_map_base, PoseQuality::held, segment_[nearest]};
 }
 
+namespace
+{
+/** V of the exponential map of SE(3): a motion of constant twist (v, turn) moves the origin by
+ * V(turn) v. V = I + (1 - cos a)/a^2 [turn]x + (a - sin a)/a^3 [turn]x^2 with a = |turn| (Barfoot,
+ * State Estimation for Robotics, 7.37). */
+Eigen::Matrix3d originJacobian(const Eigen::Vector3d& turn)
+{
+  constexpr double kSmall = 1e-4;  // below, the series' next terms are under 1e-16
+  const double a = turn.norm();
+  const double first = a < kSmall ? 0.5 - a * a / 24 : (1 - std::cos(a)) / (a * a);
+  const double second = a < kSmall ? 1.0 / 6 - a * a / 120 : (a - std::sin(a)) / (a * a * a);
+  Eigen::Matrix3d cross;
+  cross << 0, -turn.z(), turn.y(), turn.z(), 0, -turn.x(), -turn.y(), turn.x(), 0;
+  return Eigen::Matrix3d::Identity() + first * cross + second * cross * cross;
+}
+}  // namespace
+
 Eigen::Isometry3d interpolate(
     const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double fraction)
 {
-  // Rotation and translation apart, in the frame of a: for the small steps between stamped poses
-  // the difference to the exact screw motion is below step * turn^2 / 12 (1 m, 5 deg: 0.6 mm at
-  // most).
   const Eigen::Isometry3d T_a_b = a.inverse() * b;
-  const Eigen::AngleAxisd turn(T_a_b.linear());
+  const Eigen::AngleAxisd rotation(T_a_b.linear());
+  const Eigen::Vector3d turn = rotation.angle() * rotation.axis();
+  const Eigen::Vector3d velocity = originJacobian(turn).inverse() * T_a_b.translation();
   Eigen::Isometry3d part = Eigen::Isometry3d::Identity();
-  part.linear() = Eigen::AngleAxisd(turn.angle() * fraction, turn.axis()).toRotationMatrix();
-  part.translation() = T_a_b.translation() * fraction;
+  part.linear() =
+      Eigen::AngleAxisd(rotation.angle() * fraction, rotation.axis()).toRotationMatrix();
+  part.translation() = originJacobian(turn * fraction) * (velocity * fraction);
   return a * part;
 }
 }  // namespace traverse::poses
