@@ -84,8 +84,8 @@ TEST(TraverseMap, LayersLieWhereTheyShould)
   const Finished info =
       run({"gdalinfo", "-json", (scratch / "out" / "traversability_class.tif").string()});
   const auto json = nlohmann::json::parse(info.out);
-  EXPECT_DOUBLE_EQ(json["geoTransform"][1], 0.1);
-  EXPECT_DOUBLE_EQ(json["geoTransform"][5], -0.1) << "north up";
+  EXPECT_DOUBLE_EQ(json["geoTransform"][1], 0.25);
+  EXPECT_DOUBLE_EQ(json["geoTransform"][5], -0.25) << "north up";
   EXPECT_EQ(json["bands"][0]["type"], "Byte");
 }
 

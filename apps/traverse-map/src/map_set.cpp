@@ -31,6 +31,17 @@ std::vector<mrpt::maps::CMetricMap::Ptr> make(const WantedMap& wanted, const Set
   return {made.maps.begin(), made.maps.end()};
 }
 
+/** Lets each wanted map read its sections outside the factory, which would wrap its errors. */
+void checkSections(const WantedMap& wanted, const config::IniDocument& ini)
+{
+  const mrpt::config::CConfigFileMemory file(ini.text());
+  for (int i = 0; i < wanted.count; ++i)
+  {
+    mrpt::maps::TMetricMapInitializer::factory(wanted.name)
+        ->loadFromConfigFile_map_specific(file, fmt::format("Maps_{}_{:02}", wanted.name, i));
+  }
+}
+
 /** Adds file and line to an error of a map's own reader, which sees section and key only. */
 [[noreturn]] void rethrowWithPlace(const ConfigError& e, const config::IniDocument& ini)
 {
@@ -48,6 +59,7 @@ std::vector<BuiltMap> buildMaps(const Settings& settings)
   {
     try
     {
+      checkSections(wanted, settings.ini);
       const auto maps = make(wanted, settings);
       for (size_t i = 0; i < maps.size(); ++i)
       {
