@@ -5,6 +5,7 @@
 #include <mrpt/config/CConfigFileMemory.h>
 
 #include <fmt/format.h>
+#include <memory>
 
 namespace traverse::app
 {
@@ -31,24 +32,17 @@ std::vector<mrpt::maps::CMetricMap::Ptr> make(const WantedMap& wanted, const Set
   return {made.maps.begin(), made.maps.end()};
 }
 
-/** Lets each wanted map read its sections outside the factory, which would wrap its errors. */
-void checkSections(const WantedMap& wanted, const config::IniDocument& ini)
+/** The message of an exception that MRPT has wrapped into a report with addresses. */
+std::string plainMessage(const std::string& what)
 {
-  const mrpt::config::CConfigFileMemory file(ini.text());
-  for (int i = 0; i < wanted.count; ++i)
+  const std::string mark = "Message:";
+  const size_t begin = what.find(mark);
+  if (begin == std::string::npos)
   {
-    mrpt::maps::TMetricMapInitializer::factory(wanted.name)
-        ->loadFromConfigFile_map_specific(file, fmt::format("Maps_{}_{:02}", wanted.name, i));
+    return what;
   }
-}
-
-/** Adds file and line to an error of a map's own reader, which sees section and key only. */
-[[noreturn]] void rethrowWithPlace(const ConfigError& e, const config::IniDocument& ini)
-{
-  const config::Entry* entry = ini.find(e.section(), e.key());
-  throw ConfigError(
-      entry == nullptr ? std::string(e.what()) : fmt::format("{}: {}", entry->place, e.what()),
-      e.section(), e.key());
+  const size_t text = what.find_first_not_of(' ', begin + mark.size());
+  return what.substr(text, what.find('\n', text) - text);
 }
 }  // namespace
 
@@ -59,7 +53,6 @@ std::vector<BuiltMap> buildMaps(const Settings& settings)
   {
     try
     {
-      checkSections(wanted, settings.ini);
       const auto maps = make(wanted, settings);
       for (size_t i = 0; i < maps.size(); ++i)
       {
@@ -76,9 +69,13 @@ std::vector<BuiltMap> buildMaps(const Settings& settings)
             maps.size()));
       }
     }
-    catch (const ConfigError& e)
+    catch (const ConfigError&)
     {
-      rethrowWithPlace(e, settings.ini);
+      throw;
+    }
+    catch (const std::exception& e)
+    {
+      throw ConfigError(fmt::format("[Maps] {}: {}", wanted.name, plainMessage(e.what())));
     }
   }
   size_t asked = 0;

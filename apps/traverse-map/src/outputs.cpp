@@ -49,7 +49,8 @@ Outputs::Outputs(const Settings& settings, RunMetrics& metrics) :
     settings_(settings),
     metrics_(metrics),
     folder_(
-        withParents(settings.output), settings.force ? formats::Overwrite::replace : formats::Overwrite::refuse)
+        withParents(settings.output),
+        settings.force ? formats::Overwrite::replace : formats::Overwrite::refuse)
 {
 }
 

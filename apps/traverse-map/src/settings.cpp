@@ -144,6 +144,10 @@ Settings loadSettings(const Command& command)
   std::vector<WantedMap> stock;
   readWantedMaps(settings, stock);
   checkSections(settings, stock);
+  for (const WantedMap& map : settings.maps)
+  {
+    checkMapSections(map, settings.ini);
+  }
   settings.rawlog = inputFile(settings, command);
   settings.output = command.output.empty() ? settings.run.output : command.output;
   settings.force = command.force;

@@ -66,7 +66,6 @@ int countOf(const config::Entry& entry)
   {
     keys.push_back(name + std::string(kCount));
   }
-  std::vector<std::string> lower(keys.size());
   const std::string near = options::nearest(entry.key, keys);
   throw ConfigError(fmt::format(
       "{}: [Maps] unknown key '{}'; {}", entry.place, entry.key,
@@ -115,9 +114,12 @@ void readWantedMaps(Settings& settings, std::vector<WantedMap>& stock)
   }
 }
 
-std::vector<std::string> mapSections(const WantedMap& map)
+namespace
 {
-  std::vector<std::string> sections;
+/** Calls f(name, schema) for every ini section of a wanted map. */
+template <class F>
+void forEachSection(const WantedMap& map, F&& f)
+{
   for (const plugin::MapSchema& schema : plugin::mapSchemas())
   {
     if (!sameName(schema.name, map.name))
@@ -128,10 +130,46 @@ std::vector<std::string> mapSections(const WantedMap& map)
     {
       for (const plugin::SectionSchema& section : schema.sections)
       {
-        sections.push_back(fmt::format("Maps_{}_{:02}_{}", map.name, i, section.suffix));
+        f(fmt::format("Maps_{}_{:02}_{}", map.name, i, section.suffix), section);
       }
     }
   }
+}
+
+void checkEntry(const config::Entry& entry, const plugin::SectionSchema& section)
+{
+  try
+  {
+    section.check(entry.section, entry.key, entry.value);
+  }
+  catch (const ConfigError& e)
+  {
+    throw ConfigError(fmt::format("{}: {}", entry.place, e.what()), e.section(), e.key());
+  }
+}
+}  // namespace
+
+std::vector<std::string> mapSections(const WantedMap& map)
+{
+  std::vector<std::string> sections;
+  forEachSection(
+      map, [&](const std::string& name, const auto& /*section*/) { sections.push_back(name); });
   return sections;
+}
+
+void checkMapSections(const WantedMap& map, const config::IniDocument& ini)
+{
+  forEachSection(
+      map,
+      [&](const std::string& name, const plugin::SectionSchema& section)
+      {
+        for (const config::Entry& entry : ini.entries())
+        {
+          if (sameName(entry.section, name))
+          {
+            checkEntry(entry, section);
+          }
+        }
+      });
 }
 }  // namespace traverse::app

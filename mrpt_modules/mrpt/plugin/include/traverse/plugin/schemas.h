@@ -4,6 +4,7 @@
 
 #include <traverse/options/option.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,15 @@ struct SectionSchema
   std::string suffix;
   std::string meaning;
   std::vector<options::Row> rows;  //!< every key with its default
+
+  /** Throws config::ConfigError where the section has no such key, or it does not take the value.
+   */
+  std::function<void(const std::string& section, const std::string& key, const std::string& value)>
+      check;
 };
 
-/** What a map's sections may hold, for reference.ini, the options tables and the check of section names. */
+/** What a map's sections may hold, for reference.ini, the options tables and the check of section
+ * names. */
 struct MapSchema
 {
   std::string name;  //!< as in `name`_count
