@@ -21,7 +21,7 @@ TEST_P(RealLogDamage, IsToldAndCrashesNothing)
   const std::string packed = readBytes(file);
   traverse::testing::damageGzip(packed, 11, 60);
   traverse::testing::damagePlain(unpacked(packed), 12, 60);
-  EXPECT_LT(traverse::testing::peakMemory_mb(), 1500);
+  EXPECT_LT(traverse::testing::peakMebibytes(), 1500);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -16,7 +16,7 @@ using traverse::logs::LogEnd;
 using traverse::testing::gzipped;
 using traverse::testing::laserLog;
 using traverse::testing::laserScan;
-using traverse::testing::peakMemory_mb;
+using traverse::testing::peakMebibytes;
 using traverse::testing::readDamaged;
 using traverse::testing::serialised;
 
@@ -89,7 +89,7 @@ TEST(LogDamage, LengthBombsKillTheReaderNotUs)
     EXPECT_EQ(r.report.end, LogEnd::damaged);
     EXPECT_THAT(r.report.damage, HasSubstr("at object 4 "));
   }
-  EXPECT_LT(peakMemory_mb(), 1000) << "this process does not grow with what a file claims";
+  EXPECT_LT(peakMebibytes(), 1000) << "this process does not grow with what a file claims";
 }
 
 TEST(LogDamage, AnUnknownClassIsNamed)

@@ -37,7 +37,7 @@ PoseReading posesOf(const std::string& bytes, PoseSource source)
   return readLogPoses(dir / "some.rawlog", source, {}, {});
 }
 
-double length_m(const std::vector<poses::StampedPose>& path)
+double pathLength(const std::vector<poses::StampedPose>& path)
 {
   double sum = 0;
   for (size_t i = 1; i < path.size(); ++i)
@@ -72,7 +72,7 @@ TEST(LogPoses, OdometryOfTheSenaLogIsMrptsOwn)
   const PoseReading r = readLogPoses(file, PoseSource::odometry, {}, {});
   EXPECT_TRUE(r.report.complete()) << r.report.damage;
   EXPECT_EQ(r.poses.size(), 225U);
-  EXPECT_NEAR(length_m(r.poses), 76.4, 0.1);
+  EXPECT_NEAR(pathLength(r.poses), 76.4, 0.1);
   mrpt::obs::CRawlog log;
   ASSERT_TRUE(log.loadFromRawLogFile(file));
   mrpt::poses::CPose3D expected;
@@ -199,7 +199,7 @@ TEST(LogPoses, IcpKeepsToTheWayThatTheOdometrySays)
   EXPECT_TRUE(r.report.complete()) << r.report.damage;
   ASSERT_EQ(r.poses.size(), 37U);
   // The odometry says 12.76 m, and is a simulated one with noise.
-  EXPECT_NEAR(length_m(r.poses), 12.76, 1.3);
+  EXPECT_NEAR(pathLength(r.poses), 12.76, 1.3);
 }
 
 TEST(LogPoses, IcpLeavesUselessScansOut)

@@ -41,7 +41,7 @@ inline DamagedReading readDamaged(const std::string& bytes)
 }
 
 /** Largest resident size of this process so far, MiB. */
-inline long peakMemory_mb()
+inline long peakMebibytes()
 {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

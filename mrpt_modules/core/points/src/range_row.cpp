@@ -17,7 +17,7 @@ namespace
 /** What one value says. */
 struct Reading
 {
-  Beam beam;
+  Beam beam = Beam::rejected;
   std::optional<Reject> reject;
 };
 

@@ -17,7 +17,7 @@ namespace traverse::logs
 namespace
 {
 using mrpt::obs::CObservation2DRangeScan;
-constexpr double kLevel_rad = 0.175;
+constexpr double kLevelRad = 0.175;
 
 /** Values that MRPT would abort on, or take for a wall: out. */
 void clean(CObservation2DRangeScan& scan)
@@ -36,7 +36,7 @@ bool usable(const CObservation2DRangeScan& scan)
 {
   const auto finite = observations::toIsometry(scan.sensorPose).matrix().allFinite();
   return scan.getScanSize() > 1 && finite && std::isfinite(scan.aperture) && scan.aperture > 0 &&
-         std::isfinite(scan.maxRange) && scan.isPlanarScan(kLevel_rad);
+         std::isfinite(scan.maxRange) && scan.isPlanarScan(kLevelRad);
 }
 
 /** Matching against a cloud of the walls so far, a new scan of them every metre or half turn. */
@@ -113,7 +113,7 @@ class IcpListener : public FrameListener
     if (!moved_)
     {
       // The movement that led to this frame; MRPT wants it as odometry with a stamp.
-      giveOdometry(poses::StampedPose{*stamp, track_.T_map_base()});
+      giveOdometry(poses::StampedPose{*stamp, track_.pose()});
       moved_ = true;
     }
     builder_.processObservation(scan);

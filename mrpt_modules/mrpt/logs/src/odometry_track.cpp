@@ -23,8 +23,8 @@ bool OdometryTrack::add(const mrpt::obs::CObservation& observation)
     return false;
   }
   form_ = Form::observations;
-  T_map_base_ = observations::toIsometry(mrpt::poses::CPose3D(odometry->odometry));
-  ready_ = poses::StampedPose{stamp.value_or(0), T_map_base_};
+  pose_ = observations::toIsometry(mrpt::poses::CPose3D(odometry->odometry));
+  ready_ = poses::StampedPose{stamp.value_or(0), pose_};
   return true;
 }
 
@@ -35,9 +35,9 @@ void OdometryTrack::add(const Movement& movement)
     return;
   }
   form_ = Form::actions;
-  T_map_base_ = T_map_base_ * movement.T_before_after;
+  pose_ = pose_ * movement.T_before_after;
   // Thousands of products: keep it a rotation.
-  T_map_base_.linear() = Eigen::Quaterniond(T_map_base_.linear()).normalized().toRotationMatrix();
+  pose_.linear() = Eigen::Quaterniond(pose_.linear()).normalized().toRotationMatrix();
   action_stamp_ = movement.stamp;
 }
 
@@ -48,7 +48,7 @@ void OdometryTrack::frameEnd()
   if (form_ != Form::observations)
   {
     const auto stamp = frame_stamp ? frame_stamp : action_stamp;
-    ready_ = poses::StampedPose{stamp.value_or(0), T_map_base_};
+    ready_ = poses::StampedPose{stamp.value_or(0), pose_};
   }
 }
 

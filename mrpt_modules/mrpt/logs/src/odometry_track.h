@@ -24,7 +24,7 @@ class OdometryTrack
   std::optional<poses::StampedPose> take();
 
   /** Where the vehicle is now. */
-  const Eigen::Isometry3d& T_map_base() const { return T_map_base_; }
+  const Eigen::Isometry3d& pose() const { return pose_; }
 
   /** The log has odometry. */
   bool any() const { return form_ != Form::unknown; }
@@ -38,7 +38,7 @@ class OdometryTrack
   };
 
   Form form_ = Form::unknown;
-  Eigen::Isometry3d T_map_base_ = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   std::optional<poses::TimeNs> action_stamp_;
   std::optional<poses::TimeNs> frame_stamp_;
   std::optional<poses::StampedPose> ready_;

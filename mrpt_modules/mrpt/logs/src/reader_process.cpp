@@ -21,7 +21,7 @@ namespace traverse::logs
 {
 namespace
 {
-constexpr int kWait_ms = 50;
+constexpr int kWaitMs = 50;
 constexpr int kPipeBytes = 1 << 20;
 constexpr size_t kKeptTalk = 2048;
 
@@ -113,7 +113,7 @@ ReaderProcess::~ReaderProcess()
 void ReaderProcess::wait()
 {
   std::array<pollfd, 2> fds = {{{frames_.get(), POLLIN, 0}, {talk_.get(), POLLIN, 0}}};
-  waits_ += poll(fds.data(), fds.size(), kWait_ms) == 0 ? 1 : 0;
+  waits_ += poll(fds.data(), fds.size(), kWaitMs) == 0 ? 1 : 0;
   if ((fds[1].revents & (POLLIN | POLLHUP)) != 0)
   {
     takeTalk();
@@ -148,7 +148,7 @@ std::string ReaderProcess::misbehaviour()
   }
   // One that uses no processor either waits for something that never comes; a busy machine and a
   // slow disk get four times as long.
-  const double waited_s = waits_ * kWait_ms * 1e-3;
+  const double waited_s = waits_ * kWaitMs * 1e-3;
   if (cpu_s - cpu_then_s_ > params_.reader_timeout_s || waited_s > 4 * params_.reader_timeout_s)
   {
     return fmt::format("the reader made no progress in {} s", params_.reader_timeout_s);
@@ -202,7 +202,7 @@ std::string ReaderProcess::finish()
   // A child that has closed its pipe is about to exit on its own.
   for (int i = 0; reaped == 0 && closed_ && i < 400; ++i)
   {
-    poll(nullptr, 0, kWait_ms / 10);
+    poll(nullptr, 0, kWaitMs / 10);
     takeTalk();
     reaped = waitpid(pid_, &status, WNOHANG);
   }

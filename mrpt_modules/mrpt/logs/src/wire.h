@@ -93,7 +93,7 @@ class FrameWriter
   }
 
   void put(const std::string& text);
-  void put(const Eigen::Isometry3d& T);
+  void put(const Eigen::Isometry3d& pose);
   size_t begin(FrameType type);
   void finish(size_t start);
 

@@ -10,13 +10,13 @@ void FrameWriter::put(const std::string& text)
   bytes_.insert(bytes_.end(), text.begin(), text.end());
 }
 
-void FrameWriter::put(const Eigen::Isometry3d& T)
+void FrameWriter::put(const Eigen::Isometry3d& pose)
 {
   for (int row = 0; row < 3; ++row)
   {
     for (int column = 0; column < 4; ++column)
     {
-      put(T.matrix()(row, column));
+      put(pose.matrix()(row, column));
     }
   }
 }

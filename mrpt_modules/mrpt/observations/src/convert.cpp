@@ -35,14 +35,14 @@ Eigen::Isometry3d toIsometry(const mrpt::poses::CPose3D& pose)
   return T;
 }
 
-mrpt::poses::CPose3D toPose3D(const Eigen::Isometry3d& T)
+mrpt::poses::CPose3D toPose3D(const Eigen::Isometry3d& motion)
 {
   mrpt::math::CMatrixDouble44 matrix;
   for (int row = 0; row < 4; ++row)
   {
     for (int column = 0; column < 4; ++column)
     {
-      matrix(row, column) = T.matrix()(row, column);
+      matrix(row, column) = motion.matrix()(row, column);
     }
   }
   return mrpt::poses::CPose3D(matrix);

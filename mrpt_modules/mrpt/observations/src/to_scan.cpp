@@ -77,8 +77,8 @@ Eigen::Isometry3d sensorPoseOf(const mrpt::obs::CObservation& observation)
   mrpt::poses::CPose3D pose;
   observation.getSensorPose(pose);
   const Eigen::Isometry3d T = toIsometry(pose);
-  constexpr double kFurthest_m = 1e4;
-  if (!T.matrix().allFinite() || T.translation().norm() > kFurthest_m)
+  constexpr double kFurthestMetres = 1e4;
+  if (!T.matrix().allFinite() || T.translation().norm() > kFurthestMetres)
   {
     throw Refused("its sensor pose is no pose on a vehicle");
   }

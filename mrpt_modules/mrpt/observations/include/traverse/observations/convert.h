@@ -16,7 +16,7 @@ namespace traverse::observations
 /** The same rigid motion; entries of the rotation rounded to 2^-40, so that the last bits of a C
  * library's sin and cos do not reach the maps. NaN stays NaN. */
 Eigen::Isometry3d toIsometry(const mrpt::poses::CPose3D& pose);
-mrpt::poses::CPose3D toPose3D(const Eigen::Isometry3d& T);
+mrpt::poses::CPose3D toPose3D(const Eigen::Isometry3d& motion);
 
 /** Nothing for INVALID_TIMESTAMP and for times before 1980 or after 2100: those are no clock's. */
 std::optional<poses::TimeNs> toTime(const mrpt::Clock::time_point& time);

@@ -61,7 +61,8 @@ void visitObservationParams(P& p, F&& f)
   f(
       Option{
           "image_folder",
-          "folder of images and clouds stored beside the log (relative: to the log); empty: as MRPT "
+          "folder of images and clouds stored beside the log (relative: to the log); empty: as "
+          "MRPT "
           "names it (<log>_Images)"},
       p.image_folder);
 }
