@@ -7,7 +7,7 @@
 
 namespace
 {
-using traverse::testing::readBytes;
+using traverse::testing::readText;
 using traverse::testing::unpacked;
 
 class RealLogDamage : public ::testing::TestWithParam<const char*>
@@ -18,7 +18,7 @@ TEST_P(RealLogDamage, IsToldAndCrashesNothing)
 {
   const std::string file = traverse::testing::mrptData(GetParam());
   TRAVERSE_NEEDS(file);
-  const std::string packed = readBytes(file);
+  const std::string packed = readText(file);
   traverse::testing::damageGzip(packed, 11, 60);
   traverse::testing::damagePlain(unpacked(packed), 12, 60);
   EXPECT_LT(traverse::testing::peakMebibytes(), 1500);
@@ -42,7 +42,7 @@ TEST(LogDamageSlow, EveryMalformedFileIsNoLog)
   {
     if (entry.is_regular_file() && entry.file_size() > 0)
     {
-      const auto r = traverse::testing::readDamaged(readBytes(entry.path()));
+      const auto r = traverse::testing::readDamaged(readText(entry.path()));
       EXPECT_FALSE(r.report.complete()) << entry.path();
     }
   }

@@ -133,7 +133,7 @@ TEST(LogDamage, AMapOfMrptIsNoLog)
 {
   const std::string map = traverse::testing::mrptData("2006-MalagaCampus.gridmap.gz");
   TRAVERSE_NEEDS(map);
-  const auto r = readDamaged(traverse::testing::readBytes(map));
+  const auto r = readDamaged(traverse::testing::readText(map));
   EXPECT_EQ(r.report.end, LogEnd::not_a_log);
   EXPECT_THAT(r.report.damage, HasSubstr("COccupancyGridMap2D"));
 }
@@ -148,7 +148,7 @@ TEST(LogDamage, MalformedFilesOfOtherKindsAreNoLogs)
     // One in eight: the slow tier takes them all.
     if (entry.is_regular_file() && entry.file_size() > 0 && files++ % 8 == 0)
     {
-      const auto r = readDamaged(traverse::testing::readBytes(entry.path()));
+      const auto r = readDamaged(traverse::testing::readText(entry.path()));
       EXPECT_FALSE(r.report.complete()) << entry.path();
     }
   }

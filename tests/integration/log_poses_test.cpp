@@ -32,8 +32,8 @@ const char* const kSena = "2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawl
 
 PoseReading posesOf(const std::string& bytes, PoseSource source)
 {
-  const traverse::testing::TempDir dir;
-  traverse::testing::writeBytes(dir / "some.rawlog", bytes);
+  const traverse::testing::ScratchFolder dir;
+  traverse::testing::writeText(dir / "some.rawlog", bytes);
   return readLogPoses(dir / "some.rawlog", source, {}, {});
 }
 

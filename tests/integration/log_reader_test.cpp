@@ -112,10 +112,10 @@ TEST(LogReader, CollectsTheRowsOfATiltingScanner)
 
 TEST(LogReader, ReadsCloudsBesideTheLogAndNothingElse)
 {
-  const traverse::testing::TempDir dir;
+  const traverse::testing::ScratchFolder dir;
   std::filesystem::create_directory(dir / "some_Images");
-  traverse::testing::writeBytes(dir / "some_Images" / "a.txt", "1 2 3\n4 5 6\n");
-  traverse::testing::writeBytes(dir / "b.txt", "1 2 3\n4 5 6\n");
+  traverse::testing::writeText(dir / "some_Images" / "a.txt", "1 2 3\n4 5 6\n");
+  traverse::testing::writeText(dir / "b.txt", "1 2 3\n4 5 6\n");
   std::string log;
   for (const std::string& name :
        {std::string("a.txt"), std::string("../b.txt"), (dir / "b.txt").string(),
@@ -127,7 +127,7 @@ TEST(LogReader, ReadsCloudsBesideTheLogAndNothingElse)
         name, mrpt::obs::CObservationPointCloud::ExternalStorageFormat::PlainTextFile);
     log += serialised(cloud);
   }
-  traverse::testing::writeBytes(dir / "some.rawlog", log);
+  traverse::testing::writeText(dir / "some.rawlog", log);
   const LogReading r = readLog(dir / "some.rawlog");
   EXPECT_TRUE(r.report.complete()) << r.report.damage;
   EXPECT_EQ(r.points(), 2U);
@@ -138,8 +138,8 @@ TEST(LogReader, ReadsCloudsBesideTheLogAndNothingElse)
 
 TEST(LogReader, FilesThatCannotBeOpenedAreErrorsThatSayWhy)
 {
-  const traverse::testing::TempDir dir;
-  traverse::testing::writeBytes(dir / "empty", "");
+  const traverse::testing::ScratchFolder dir;
+  traverse::testing::writeText(dir / "empty", "");
   const auto why = [](const std::filesystem::path& file) -> std::string
   {
     try
@@ -172,8 +172,8 @@ TEST(LogReader, ParamsThatDoNotGoTogetherAreRefused)
 
 TEST(LogReader, MayBeLeftInTheMiddleAndMoved)
 {
-  const traverse::testing::TempDir dir;
-  traverse::testing::writeBytes(dir / "l", laserLog(2000));
+  const traverse::testing::ScratchFolder dir;
+  traverse::testing::writeText(dir / "l", laserLog(2000));
   LogReader first(dir / "l", {}, {});
   LogReader second(dir / "l", {}, {});
   EXPECT_TRUE(first.next());
@@ -185,8 +185,8 @@ TEST(LogReader, MayBeLeftInTheMiddleAndMoved)
 
 TEST(LogReader, StopsOnRequest)
 {
-  const traverse::testing::TempDir dir;
-  traverse::testing::writeBytes(dir / "l", laserLog(2000));
+  const traverse::testing::ScratchFolder dir;
+  traverse::testing::writeText(dir / "l", laserLog(2000));
   std::atomic<bool> stop = false;
   LogReader reader(dir / "l", {}, {}, {.stop = &stop});
   EXPECT_TRUE(reader.next());

@@ -8,7 +8,7 @@
 
 #include <random>
 #include <string>
-#include <support/temp_dir.h>
+#include <support/scratch_folder.h>
 #include <sys/resource.h>
 #include <zlib.h>
 
@@ -24,8 +24,8 @@ struct DamagedReading
 /** Reads with little memory and time, so that bombs go off soon. */
 inline DamagedReading readDamaged(const std::string& bytes)
 {
-  const TempDir dir;
-  writeBytes(dir / "damaged.rawlog", bytes);
+  const ScratchFolder dir;
+  writeText(dir / "damaged.rawlog", bytes);
   // Depth images thinned out: in a build without optimisation they take seconds.
   observations::ObservationParams sensors;
   sensors.depth_image_step = 16;

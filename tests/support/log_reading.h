@@ -4,8 +4,8 @@
 
 #include <traverse/logs/log_reader.h>
 
+#include <support/scratch_folder.h>
 #include <support/synthetic_logs.h>
-#include <support/temp_dir.h>
 #include <utility>
 #include <vector>
 
@@ -48,8 +48,8 @@ inline LogReading readLogBytes(
     const observations::ObservationParams& sensors = {},
     const logs::ReadOptions& options = {})
 {
-  const TempDir dir;
-  writeBytes(dir / "some.rawlog", bytes);
+  const ScratchFolder dir;
+  writeText(dir / "some.rawlog", bytes);
   return readLog(dir / "some.rawlog", sensors, options);
 }
 }  // namespace traverse::testing

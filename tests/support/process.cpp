@@ -5,8 +5,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <thread>
@@ -145,30 +143,5 @@ Finished run(
     std::chrono::seconds limit)
 {
   return Process(argv, environment).wait(limit);
-}
-
-ScratchFolder::ScratchFolder() : path_(temporaryName("test"))
-{
-  fs::remove(path_);
-  fs::create_directory(path_);
-}
-
-ScratchFolder::~ScratchFolder()
-{
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::string readText(const fs::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-void writeText(const fs::path& file, const std::string& text)
-{
-  std::ofstream(file, std::ios::binary) << text;
 }
 }  // namespace traverse::testing

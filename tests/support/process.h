@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "support/scratch_folder.h"
+
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -55,24 +57,4 @@ Finished run(
     const std::vector<std::string>& argv,
     const std::vector<std::string>& environment = {},
     std::chrono::seconds limit = std::chrono::seconds(300));
-
-/** A folder of this test's own, empty, removed at the end. */
-class ScratchFolder
-{
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string readText(const std::filesystem::path& file);
-void writeText(const std::filesystem::path& file, const std::string& text);
 }  // namespace traverse::testing

@@ -4,6 +4,9 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 
 namespace traverse::testing
@@ -14,8 +17,12 @@ class ScratchFolder
  public:
   ScratchFolder()
   {
-    std::string name = (std::filesystem::temp_directory_path() / "traverse-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
+    std::string name = (std::filesystem::temp_directory_path() / "traverse-test-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+    {
+      throw std::runtime_error("no temporary folder");
+    }
+    path_ = name;
   }
 
   ~ScratchFolder()
@@ -29,7 +36,20 @@ class ScratchFolder
 
   const std::filesystem::path& path() const { return path_; }
 
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
  private:
   std::filesystem::path path_;
 };
+
+inline std::string readText(const std::filesystem::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline void writeText(const std::filesystem::path& file, const std::string& text)
+{
+  std::ofstream(file, std::ios::binary) << text;
+}
 }  // namespace traverse::testing

@@ -7,7 +7,7 @@
 #include <log_file.h>
 #include <random>
 #include <support/synthetic_logs.h>
-#include <support/temp_dir.h>
+#include <support/scratch_folder.h>
 
 namespace
 {
@@ -22,8 +22,8 @@ struct Unpacked
 
 Unpacked unpack(const std::string& stored)
 {
-  const traverse::testing::TempDir dir;
-  traverse::testing::writeBytes(dir / "f", stored);
+  const traverse::testing::ScratchFolder dir;
+  traverse::testing::writeText(dir / "f", stored);
   const logs::LogFile file = logs::openLog(dir / "f");
   logs::ByteSource source(file.fd.get());
   Unpacked out;

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <support/temp_dir.h>
+#include <support/scratch_folder.h>
 
 namespace
 {
@@ -29,7 +29,7 @@ class ExternalFiles : public ::testing::Test
          {folder_ / "cloud.txt", folder_ / "deeper" / "cloud.txt",
           std::filesystem::path(dir_ / "cloud.txt")})
     {
-      traverse::testing::writeBytes(file, "1 2 3\n4 5 6\n");
+      traverse::testing::writeText(file, "1 2 3\n4 5 6\n");
     }
   }
 
@@ -40,7 +40,7 @@ class ExternalFiles : public ::testing::Test
     return observations::toScan(cloud_, {}, folder_);
   }
 
-  traverse::testing::TempDir dir_;
+  traverse::testing::ScratchFolder dir_;
   std::filesystem::path folder_;
   mrpt::obs::CObservationPointCloud cloud_;
 };
@@ -52,6 +52,17 @@ TEST_F(ExternalFiles, AreReadFromTheLogsOwnFolderAndReleased)
   EXPECT_EQ(result.decoded.scan.size(), 2U);
   EXPECT_FALSE(cloud_.pointcloud) << "released";
   EXPECT_EQ(read("deeper/cloud.txt").decoded.scan.size(), 2U);
+}
+
+TEST_F(ExternalFiles, AreNeverWritten)
+{
+  // MRPT's own unload() writes the cloud under the log's name into the working folder.
+  const traverse::testing::ScratchFolder elsewhere;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(elsewhere.path());
+  EXPECT_EQ(read("cloud.txt").outcome, Outcome::scan);
+  std::filesystem::current_path(before);
+  EXPECT_TRUE(std::filesystem::is_empty(elsewhere.path()));
 }
 
 TEST_F(ExternalFiles, AreNotReadFromElsewhere)

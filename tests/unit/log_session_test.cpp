@@ -9,7 +9,7 @@
 #include <frame_pipe.h>
 #include <iostream>
 #include <session.h>
-#include <support/temp_dir.h>
+#include <support/scratch_folder.h>
 #include <unistd.h>
 
 namespace
@@ -21,8 +21,8 @@ using ::testing::HasSubstr;
 /** What the parent makes of a child that behaves like `job`. */
 LogReport reportOf(const ReaderJob& job, const ReadOptions& options = {})
 {
-  const traverse::testing::TempDir dir;
-  traverse::testing::writeBytes(dir / "log", "something");
+  const traverse::testing::ScratchFolder dir;
+  traverse::testing::writeText(dir / "log", "something");
   Session session(dir / "log", {.reader_memory_mb = 128, .reader_timeout_s = 0.3}, options, job);
   while (session.next())
   {
@@ -173,7 +173,7 @@ TEST(LogSession, WhatTheChildPrintsIsNotShown)
 
 TEST(LogSession, TheChildHasNoOtherFilesAndWritesNone)
 {
-  const traverse::testing::TempDir dir;
+  const traverse::testing::ScratchFolder dir;
   const LogReport r = reportOf(
       [&](int, int frames, SharedProgress&)
       {

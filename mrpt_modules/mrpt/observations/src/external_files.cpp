@@ -6,6 +6,7 @@
 
 #include <mrpt/io/lazy_load_path.h>
 #include <mrpt/obs/CObservation.h>
+#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <algorithm>
 
@@ -71,6 +72,19 @@ void checkFile(const fs::path& folder, const std::string& name)
     throw Refused("a file that it names is no plain file of at most 256 MiB");
   }
 }
+
+/** Frees what load() read. MRPT's CObservationPointCloud::unload() would *write* the cloud to a
+ * file of the log's choice, relative to the working folder; so its cloud is dropped by hand. */
+void release(const mrpt::obs::CObservation& observation)
+{
+  if (const auto* cloud = dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&observation))
+  {
+    const_cast<mrpt::obs::CObservationPointCloud*>(cloud)
+        ->pointcloud.reset();  // load() filled it, const too
+    return;
+  }
+  observation.unload();
+}
 }  // namespace
 
 ExternalFiles::ExternalFiles(
@@ -100,7 +114,7 @@ ExternalFiles::~ExternalFiles()
   }
   try
   {
-    loaded_->unload();
+    release(*loaded_);
   }
   catch (const std::exception&)
   {
