@@ -27,7 +27,7 @@ std::filesystem::path imageFolder(const JobSettings& settings)
   }
   for (const char* ending : {"_Images", "_images", "_IMAGES"})
   {
-    const std::filesystem::path folder = beside / (settings.log.stem().string() + ending);
+    std::filesystem::path folder = beside / (settings.log.stem().string() + ending);
     std::error_code none;
     if (std::filesystem::is_directory(folder, none))
     {

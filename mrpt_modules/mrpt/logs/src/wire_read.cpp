@@ -21,7 +21,7 @@ class Payload
   template <class T>
   T take()
   {
-    T value;
+    T value{};
     copy(&value, sizeof(T));
     return value;
   }

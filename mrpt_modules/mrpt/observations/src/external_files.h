@@ -10,7 +10,7 @@
 namespace mrpt::obs
 {
 class CObservation;
-}
+}  // namespace mrpt::obs
 
 namespace traverse::observations
 {

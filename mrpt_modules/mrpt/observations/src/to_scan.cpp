@@ -28,13 +28,13 @@ struct Entry
 const std::array<Entry, 5>& decoders()
 {
   using namespace mrpt::obs;  // NOLINT(google-build-using-namespace): CLASS_ID pastes bare names
-  static const std::array<Entry, 5> kAll = {
+  static const std::array<Entry, 5> all = {
       {{CLASS_ID(CObservation2DRangeScan), decode2DRangeScan},
        {CLASS_ID(CObservationVelodyneScan), decodeVelodyneScan},
        {CLASS_ID(CObservation3DRangeScan), decode3DRangeScan},
        {CLASS_ID(CObservationPointCloud), decodePointCloud},
        {CLASS_ID(CObservationRotatingScan), decodeRotatingScan}}};
-  return kAll;
+  return all;
 }
 
 void excludeOwnBody(points::Decoded& decoded, const ObservationParams& params)
@@ -76,7 +76,7 @@ Eigen::Isometry3d sensorPoseOf(const mrpt::obs::CObservation& observation)
 {
   mrpt::poses::CPose3D pose;
   observation.getSensorPose(pose);
-  const Eigen::Isometry3d T = toIsometry(pose);
+  Eigen::Isometry3d T = toIsometry(pose);
   constexpr double kFurthestMetres = 1e4;
   if (!T.matrix().allFinite() || T.translation().norm() > kFurthestMetres)
   {

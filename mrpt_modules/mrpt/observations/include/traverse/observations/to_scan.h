@@ -11,7 +11,7 @@
 namespace mrpt::obs
 {
 class CObservation;
-}
+}  // namespace mrpt::obs
 
 namespace traverse::observations
 {
