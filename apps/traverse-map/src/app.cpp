@@ -43,7 +43,36 @@ ExitCode verdict(const RunMetrics& metrics)
   return metrics.complete ? ExitCode::done : ExitCode::partial;
 }
 
-void noteWhatIsMissing(const std::vector<BuiltMap>& maps, RunMetrics& metrics)
+/** What a user must know of a map that did not take everything. */
+void noteAbout(const MapMetrics& map, RunMetrics& metrics)
+{
+  if (map.scans == 0)
+  {
+    metrics.problems.push_back(fmt::format(
+        "{}: no scan was inserted ({} of {} had no valid pose; [Poses] source = {})", map.name,
+        map.scans_no_pose, metrics.scans, metrics.pose_source));
+    if (metrics.poses["kept"] == 0)
+    {
+      metrics.problems.push_back(fmt::format(
+          "the log has no poses of source '{}': try [Poses] source = icp_2d, or identity for a "
+          "robot that stands still",
+          metrics.pose_source));
+    }
+    metrics.complete = false;
+  }
+  else if (map.scans_no_pose > 0)
+  {
+    metrics.warnings.push_back(fmt::format(
+        "{}: {} of {} scans had no valid pose", map.name, map.scans_no_pose, metrics.scans));
+  }
+  if (map.over_budget > 0)
+  {
+    metrics.warnings.push_back(
+        fmt::format("{}: {} points found no room; raise max_memory_mb", map.name, map.over_budget));
+  }
+}
+
+void noteWhatIsMissing(RunMetrics& metrics)
 {
   if (Interrupt::exitCode())
   {
@@ -56,16 +85,9 @@ void noteWhatIsMissing(const std::vector<BuiltMap>& maps, RunMetrics& metrics)
         fmt::format("{}: no observation in it became points", metrics.rawlog));
     return;
   }
-  for (size_t i = 0; i < maps.size(); ++i)
+  for (const MapMetrics& map : metrics.maps)
   {
-    const MapMetrics& map = metrics.maps[i];
-    if (map.scans == 0)
-    {
-      metrics.problems.push_back(fmt::format(
-          "{}: no scan was inserted ({} of {} had no valid pose; [Poses] source = {})", map.name,
-          map.scans_no_pose, metrics.scans, metrics.pose_source));
-      metrics.complete = false;
-    }
+    noteAbout(map, metrics);
   }
 }
 
@@ -87,7 +109,7 @@ ExitCode mapIt(const Settings& settings)
         last_stamp = stamp;
         outputs.snapshot(maps, track, stamp);
       });
-  noteWhatIsMissing(maps, metrics);
+  noteWhatIsMissing(metrics);
   if (metrics.scans > 0)
   {
     outputs.finish(maps, track, last_stamp);

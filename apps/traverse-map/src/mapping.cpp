@@ -49,6 +49,8 @@ void insert(
   metrics.scans_no_pose += static_cast<uint64_t>(stats.no_pose);
   metrics.points += stats.points;
   metrics.outside += stats.outside;
+  metrics.bad_points += stats.bad_points;
+  metrics.over_budget += stats.over_budget;
 }
 
 double fractionRead(const logs::LogReport& report)
@@ -115,7 +117,7 @@ void mapLog(
 {
   for (const BuiltMap& map : maps)
   {
-    metrics.maps.push_back({map.name + map.file_suffix, 0, 0, 0, 0, {}});
+    metrics.maps.emplace_back().name = map.name + map.file_suffix;
   }
   const bool any_time_will_do = settings.poses.source == poses::PoseSource::identity;
   logs::LogReader reader(

@@ -54,6 +54,8 @@ Json mapsOf(const RunMetrics& metrics)
          {"scans_without_pose", map.scans_no_pose},
          {"points", map.points},
          {"points_outside", map.outside},
+         {"points_bad", map.bad_points},
+         {"points_over_budget", map.over_budget},
          {"cells_by_class", object(map.cells_by_class)}});
   }
   return maps;

@@ -53,7 +53,9 @@ struct MapMetrics
   uint64_t scans = 0;          //!< inserted
   uint64_t scans_no_pose = 0;  //!< skipped
   uint64_t points = 0;         //!< inserted
-  uint64_t outside = 0;
+  uint64_t outside = 0;        //!< points beyond the map's extent
+  uint64_t bad_points = 0;     //!< NaN or absurd
+  uint64_t over_budget = 0;    //!< points that the memory budget had no cells for
   std::vector<std::pair<std::string, uint64_t>> cells_by_class;
 };
 

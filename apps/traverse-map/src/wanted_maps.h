@@ -14,8 +14,8 @@ namespace traverse::app
  * ConfigError. */
 void readWantedMaps(Settings& settings, std::vector<WantedMap>& stock);
 
-/** Holds every key and value in the sections of a wanted map against what the map takes. Throws ConfigError
- * with file:line. */
+/** Holds every key and value in the sections of a wanted map against what the map takes. Throws
+ * ConfigError with file:line. */
 void checkMapSections(const WantedMap& map, const config::IniDocument& ini);
 
 /** Names of the ini sections that belong to a wanted map. */
