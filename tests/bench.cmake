@@ -1,0 +1,10 @@
+# Speed: `./run bench [ROOM]`, one program per room. Built only when asked for.
+add_custom_target(benches)
+find_package(benchmark QUIET)
+if(benchmark_FOUND)
+  foreach(room sensors)
+    add_executable(bench_${room} EXCLUDE_FROM_ALL bench/${room}_bench.cpp)
+    target_link_libraries(bench_${room} PRIVATE traverse::observations mrpt::maps benchmark::benchmark)
+    add_dependencies(benches bench_${room})
+  endforeach()
+endif()
