@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -76,6 +77,16 @@ TEST(Deskew, LeavesAScanOutsideTheTrackAsItWas)
   const std::vector<float> before = scan.x;
   EXPECT_EQ(points::deskew(scan, car()), Deskew::no_poses);
   EXPECT_EQ(scan.x, before);
+}
+
+TEST(Deskew, LeavesAScanWithAnAbsurdTimeAsItWas)
+{
+  for (const float absurd : {1e30F, std::numeric_limits<float>::quiet_NaN()})
+  {
+    ScanBuffer scan = postSeenFromTheCar({30, 5, 1});
+    scan.time_s[7] = absurd;
+    EXPECT_EQ(points::deskew(scan, car()), Deskew::no_poses);
+  }
 }
 
 TEST(Deskew, NeedsTimesAndMotion)

@@ -26,6 +26,11 @@ class MotionTable
 
   std::optional<Eigen::Isometry3f> at(float time_s)
   {
+    const bool plausible = std::abs(time_s) < kLongest_s;  // false for NaN
+    if (!plausible)
+    {
+      return std::nullopt;
+    }
     const int64_t slot = std::llround(std::floor(static_cast<double>(time_s) / kSlot_s));
     const std::optional<Eigen::Isometry3d>& from = knot(slot);
     const std::optional<Eigen::Isometry3d>& to = knot(slot + 1);
@@ -41,6 +46,7 @@ class MotionTable
 
  private:
   static constexpr double kSlot_s = 1e-3;
+  static constexpr float kLongest_s = 3600;
 
   const std::optional<Eigen::Isometry3d>& knot(int64_t slot)
   {
