@@ -102,19 +102,26 @@ struct NaiveFeatures
   bool has_plane = false;
 };
 
+Eigen::Vector3d metres(const PointMm& p)
+{
+  return Eigen::Vector3d(
+             static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])) /
+         1000;
+}
+
 NaiveFeatures naiveFeatures(const std::vector<PointMm>& points)
 {
   NaiveFeatures f;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const PointMm& p : points)
   {
-    centre += Eigen::Vector3d(p[0], p[1], p[2]) / 1000 / static_cast<double>(points.size());
+    centre += metres(p) / static_cast<double>(points.size());
   }
   Eigen::Matrix2d M = Eigen::Matrix2d::Zero();
   Eigen::Vector2d v = Eigen::Vector2d::Zero();
   for (const PointMm& p : points)
   {
-    const Eigen::Vector3d d = Eigen::Vector3d(p[0], p[1], p[2]) / 1000 - centre;
+    const Eigen::Vector3d d = metres(p) - centre;
     f.deviation = std::max(f.deviation, std::abs(d.z()));
     f.variance += d.z() * d.z() / static_cast<double>(points.size());
     M += d.head<2>() * d.head<2>().transpose();
@@ -123,8 +130,8 @@ NaiveFeatures naiveFeatures(const std::vector<PointMm>& points)
   f.mean = centre.z();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread(M);
   f.has_plane = spread.eigenvalues()(0) > 1e-9 * spread.eigenvalues()(1);
-  const Eigen::Vector2d AB = M.fullPivLu().solve(v);
-  f.slope_deg = std::acos(1 / std::sqrt(AB.squaredNorm() + 1)) * 180 / std::numbers::pi;
+  const Eigen::Vector2d plane = M.fullPivLu().solve(v);
+  f.slope_deg = std::acos(1 / std::sqrt(plane.squaredNorm() + 1)) * 180 / std::numbers::pi;
   return f;
 }
 

@@ -142,13 +142,14 @@ TEST(Mirror, AMirroredWorldGivesTheMirroredMap)
   std::mt19937 random(8);
   points::ScanBuffer scan;
   points::ScanBuffer mirrored;
-  // Quarter millimetres off the cells' edges, whole numbers in float: no point changes its cell,
-  // and none is half-way between two millimetres.
+  // At least a millimetre off the cells' edges, and at whole millimetres: no point changes its cell
+  // by being mirrored.
   for (int i = 0; i < 30'000; ++i)
   {
-    const double x = 0.2 * (static_cast<int>(random() % 40) - 20) + 0.001 * (1 + random() % 198);
-    const double y = 0.2 * (static_cast<int>(random() % 40) - 20) + 0.001 * (1 + random() % 198);
-    const double z = 0.001 * (random() % 400 < 380 ? random() % 25 : random() % 900);
+    const auto below = [&](unsigned end) { return static_cast<int>(random() % end); };
+    const double x = 0.2 * (below(40) - 20) + 0.001 * (1 + below(198));
+    const double y = 0.2 * (below(40) - 20) + 0.001 * (1 + below(198));
+    const double z = 0.001 * (below(400) < 380 ? below(25) : below(900));
     addPoint(scan, x, y, z);
     addPoint(mirrored, x, -y, z);
   }
@@ -197,7 +198,7 @@ class SweptMap
     const geometry::CellIndex robot = state_.lattice.cellOf(
         geometry::toMillimetres(v.T_map_base.translation().x()),
         geometry::toMillimetres(v.T_map_base.translation().y()));
-    const auto side = static_cast<int32_t>(params_.window_m / params_.cell_size_m + 0.5);
+    const auto side = static_cast<int32_t>(std::lround(params_.window_m / params_.cell_size_m));
     const geometry::CellIndex min{robot.x - side / 2, robot.y - side / 2};
     const geometry::CellRect window{min, {min.x + side, min.y + side}};
     state_.cells.forEach(

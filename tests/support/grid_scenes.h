@@ -39,8 +39,9 @@ inline void drawCell(points::ScanBuffer& scan, char what, double x, double y)
 {
   for (int k = 0; k < 25; ++k)
   {
-    const double u = 0.02 + 0.04 * (k % 5);
-    const double v = 0.02 + 0.04 * (k / 5);
+    const int row = k / 5;
+    const double u = 0.02 + 0.04 * (k - 5 * row);
+    const double v = 0.02 + 0.04 * row;
     const double share = (k + 0.5) / 25;
     switch (what)
     {

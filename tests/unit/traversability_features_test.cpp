@@ -51,12 +51,14 @@ Features reference(const PointsMm& points)
 {
   Features f;
   f.n = points.size();
-  Eigen::MatrixXd rows(points.size(), 3);
-  Eigen::VectorXd z(points.size());
-  for (size_t i = 0; i < points.size(); ++i)
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd rows(n, 3);
+  Eigen::VectorXd z(n);
+  for (Eigen::Index i = 0; i < n; ++i)
   {
-    rows.row(i) << 1e-3 * points[i][0], 1e-3 * points[i][1], 1;
-    z(i) = 1e-3 * points[i][2];
+    const auto& [x_mm, y_mm, z_mm] = points[static_cast<size_t>(i)];
+    rows.row(i) << 1e-3 * static_cast<double>(x_mm), 1e-3 * static_cast<double>(y_mm), 1;
+    z(i) = 1e-3 * static_cast<double>(z_mm);
   }
   f.mean_m = z.mean();
   f.min_m = z.minCoeff();
@@ -64,9 +66,9 @@ Features reference(const PointsMm& points)
   f.deviation_m = (z.array() - f.mean_m).abs().maxCoeff();
   f.variance_m2 = (z.array() - f.mean_m).square().mean();
   const Eigen::Vector3d plane = rows.colPivHouseholderQr().solve(z);
-  f.A = plane.x();
-  f.B = plane.y();
-  f.C_m = plane.z();
+  f.slope_x = plane.x();
+  f.slope_y = plane.y();
+  f.at_corner_m = plane.z();
   return f;
 }
 
@@ -91,11 +93,13 @@ TEST(Features, AreThoseOfTheNaiveFormulas)
     EXPECT_NEAR(ours.max_m, naive.max_m, 1e-11);
     EXPECT_NEAR(ours.deviation_m, naive.deviation_m, 1e-11);
     EXPECT_NEAR(ours.variance_m2, naive.variance_m2, 1e-11);
-    if (ours.has_plane && std::hypot(naive.A, naive.B) < 1e3)
+    if (ours.has_plane && std::hypot(naive.slope_x, naive.slope_y) < 1e3)
     {
-      EXPECT_NEAR(ours.A, naive.A, 1e-7 * (1 + std::abs(naive.A)));
-      EXPECT_NEAR(ours.B, naive.B, 1e-7 * (1 + std::abs(naive.B)));
-      EXPECT_NEAR(ours.C_m, naive.C_m, 1e-7 * (1 + std::hypot(naive.A, naive.B)));
+      EXPECT_NEAR(ours.slope_x, naive.slope_x, 1e-7 * (1 + std::abs(naive.slope_x)));
+      EXPECT_NEAR(ours.slope_y, naive.slope_y, 1e-7 * (1 + std::abs(naive.slope_y)));
+      EXPECT_NEAR(
+          ours.at_corner_m, naive.at_corner_m,
+          1e-7 * (1 + std::hypot(naive.slope_x, naive.slope_y)));
     }
   }
 }
@@ -116,7 +120,7 @@ TEST(Features, DoNotDependOnWhereSlabsBegin)
   EXPECT_EQ(a.n, b.n);
   EXPECT_NEAR(a.mean_m, b.mean_m, 1e-12);
   EXPECT_NEAR(a.variance_m2, b.variance_m2, 1e-12);
-  EXPECT_NEAR(a.A, b.A, 1e-9);
+  EXPECT_NEAR(a.slope_x, b.slope_x, 1e-9);
 }
 
 TEST(Features, SlopeOfAPlaneIsItsAngle)
@@ -132,7 +136,7 @@ TEST(Features, SlopeOfAPlaneIsItsAngle)
   const Features f = Column(points).features();
   EXPECT_TRUE(f.has_plane);
   EXPECT_NEAR(f.slope_deg(), 45, 1e-9);
-  EXPECT_NEAR(f.C_m, 1.0, 1e-9);
+  EXPECT_NEAR(f.at_corner_m, 1.0, 1e-9);
 }
 
 TEST(Features, PointsOnALineHaveNoPlane)
@@ -161,7 +165,7 @@ TEST(Classifier, GivesTheFirstClassWhoseLimitsHold)
   EXPECT_EQ(classify(f), Class::flat);
   f.deviation_m = 0.05;
   EXPECT_EQ(classify(f), Class::small_roughness);
-  f.A = std::tan(50 * std::numbers::pi / 180);
+  f.slope_x = std::tan(50 * std::numbers::pi / 180);
   EXPECT_EQ(classify(f), Class::large_roughness);
   f.variance_m2 = 0.02;
   EXPECT_EQ(classify(f), Class::obstacle);

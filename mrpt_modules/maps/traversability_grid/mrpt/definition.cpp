@@ -34,9 +34,8 @@ void dump(std::ostream& out, const char* title, const P& params)
 CTraversabilityGridMap::TMapDefinition::TMapDefinition() = default;
 
 void CTraversabilityGridMap::TMapDefinition::loadFromConfigFile_map_specific(
-    const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
+    const mrpt::config::CConfigFileBase& source, const std::string& prefix)
 {
-  const std::string& prefix = sectionNamePrefix;
   config::checkSectionNames(
       source, prefix, {"_creationOpts", "_insertOpts", "_likelihoodOpts", "_renderOpts"});
   config::CreationParams read_by_mrpt;

@@ -59,9 +59,9 @@ void fitPlane(const Sums& s, double base_mm, Features& f)
   f.has_plane = determinant > kSingular * scatter * scatter;
   if (f.has_plane)
   {
-    f.A = (cxz * cyy - cyz * cxy) / determinant;
-    f.B = (cyz * cxx - cxz * cxy) / determinant;
-    f.C_m = (base_mm + (s.z - f.A * s.x - f.B * s.y) / s.n) / kMmPerM;
+    f.slope_x = (cxz * cyy - cyz * cxy) / determinant;
+    f.slope_y = (cyz * cxx - cxz * cxy) / determinant;
+    f.at_corner_m = (base_mm + (s.z - f.slope_x * s.x - f.slope_y * s.y) / s.n) / kMmPerM;
   }
 }
 

@@ -27,13 +27,13 @@ struct Features
   double deviation_m = 0;
   double variance_m2 = 0;
   bool has_plane = false;  //!< false: the points lie on one line seen from above, or in one place
-  double A = 0;
-  double B = 0;
-  double C_m = 0;
+  double slope_x = 0;      //!< A
+  double slope_y = 0;      //!< B
+  double at_corner_m = 0;  //!< C
   poses::TimeNs last_seen = 0;
 
   /** tan^2 of the angle gamma between the plane and the horizontal. */
-  double tan2Slope() const { return A * A + B * B; }
+  double tan2Slope() const { return slope_x * slope_x + slope_y * slope_y; }
 
   /** gamma in degrees; NaN without a plane. */
   double slope_deg() const;
