@@ -8,6 +8,8 @@ traverse_test(property traversability_archive_test USES traversability_grid)
 traverse_test(oracle traversability_kitti_test USES traversability_grid LIBS ZLIB::ZLIB)
 traverse_test(integration traversability_map_test
   USES plugin traversability_grid config observations formats LIBS mrpt::maps mrpt::obs)
+traverse_test(integration traversability_likelihood_test
+  USES plugin traversability_grid observations LIBS mrpt::maps mrpt::obs)
 traverse_test(integration stock_programs_test USES traversability_grid)
 add_dependencies(integration_stock_programs_test traverse_plugin)
 

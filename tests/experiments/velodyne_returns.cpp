@@ -8,9 +8,8 @@
 #include <mrpt/obs/CObservationVelodyneScan.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include <nlohmann/json.hpp>
-
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 namespace
 {
@@ -37,8 +36,8 @@ uint64_t validReturns(const CObservationVelodyneScan& scan)
 int main()
 {
   mrpt::io::CFileGZInputStream file("/usr/share/mrpt/datasets/test_velodyne_VLP16.rawlog");
-  const auto scan =
-      std::dynamic_pointer_cast<CObservationVelodyneScan>(mrpt::serialization::archiveFrom(file).ReadObject());
+  const auto scan = std::dynamic_pointer_cast<CObservationVelodyneScan>(
+      mrpt::serialization::archiveFrom(file).ReadObject());
   const auto valid = static_cast<double>(validReturns(*scan));
   const auto ours = traverse::observations::toScan(*scan, {});
   scan->generatePointCloud();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/maps/CTraversabilityGridMap.h>
+
 #include <mrpt/maps/registerAllClasses.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
@@ -12,6 +14,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <support/data.h>
 #include <vector>
 
 namespace traverse::testing
@@ -59,5 +62,22 @@ inline std::vector<LoggedObservation> readStockLog(const std::string& file)
     }
   }
   return all;
+}
+
+inline const std::string kVelodyneLog = mrptData("test_velodyne_VLP16.rawlog");
+inline const std::string kLaserLog =
+    mrptData("2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog");
+
+/** The first range observation of a stock log. */
+inline mrpt::obs::CObservation::Ptr firstOf(const std::string& log)
+{
+  for (const LoggedObservation& logged : readStockLog(log))
+  {
+    if (maps::CTraversabilityGridMap().canComputeObservationLikelihood(*logged.observation))
+    {
+      return logged.observation;
+    }
+  }
+  throw std::runtime_error("no range observation in " + log);
 }
 }  // namespace traverse::testing

@@ -39,6 +39,7 @@ fs::path temporaryName(const char* stem)
     setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);
   }
   std::vector<char*> words;
+  words.reserve(argv.size() + 1);
   for (const std::string& word : argv)
   {
     words.push_back(const_cast<char*>(word.c_str()));

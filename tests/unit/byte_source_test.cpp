@@ -6,8 +6,8 @@
 #include <byte_source.h>
 #include <log_file.h>
 #include <random>
-#include <support/synthetic_logs.h>
 #include <support/scratch_folder.h>
+#include <support/synthetic_logs.h>
 
 namespace
 {

@@ -44,6 +44,27 @@ std::string plainMessage(const std::string& what)
   const size_t text = what.find_first_not_of(' ', begin + mark.size());
   return what.substr(text, what.find('\n', text) - text);
 }
+
+/** Adds the maps of one name; all of them, or ConfigError. */
+void addMaps(const WantedMap& wanted, const Settings& settings, std::vector<BuiltMap>& built)
+{
+  const auto maps = make(wanted, settings);
+  if (maps.size() != static_cast<size_t>(wanted.count))
+  {
+    throw ConfigError(fmt::format(
+        "[Maps] asks for {} {}, and MRPT's factory made {}", wanted.count, wanted.name,
+        maps.size()));
+  }
+  for (size_t i = 0; i < maps.size(); ++i)
+  {
+    auto* consumer = dynamic_cast<layers::ScanConsumer*>(maps[i].get());
+    if (consumer == nullptr)
+    {
+      throw ConfigError(fmt::format("[Maps] {} takes no scans", wanted.name));
+    }
+    built.push_back({wanted.name, i == 0 ? "" : fmt::format("_{:02}", i), maps[i], consumer});
+  }
+}
 }  // namespace
 
 std::vector<BuiltMap> buildMaps(const Settings& settings)
@@ -53,21 +74,7 @@ std::vector<BuiltMap> buildMaps(const Settings& settings)
   {
     try
     {
-      const auto maps = make(wanted, settings);
-      for (size_t i = 0; i < maps.size(); ++i)
-      {
-        auto* consumer = dynamic_cast<layers::ScanConsumer*>(maps[i].get());
-        if (consumer != nullptr)
-        {
-          built.push_back({wanted.name, i == 0 ? "" : fmt::format("_{:02}", i), maps[i], consumer});
-        }
-      }
-      if (maps.size() != static_cast<size_t>(wanted.count))
-      {
-        throw ConfigError(fmt::format(
-            "[Maps] asks for {} {}, and MRPT's factory made {}", wanted.count, wanted.name,
-            maps.size()));
-      }
+      addMaps(wanted, settings, built);
     }
     catch (const ConfigError&)
     {
@@ -77,15 +84,6 @@ std::vector<BuiltMap> buildMaps(const Settings& settings)
     {
       throw ConfigError(fmt::format("[Maps] {}: {}", wanted.name, plainMessage(e.what())));
     }
-  }
-  size_t asked = 0;
-  for (const WantedMap& wanted : settings.maps)
-  {
-    asked += static_cast<size_t>(wanted.count);
-  }
-  if (built.size() != asked)
-  {
-    throw ConfigError(fmt::format("[Maps] asks for {} maps, {} take scans", asked, built.size()));
   }
   return built;
 }

@@ -6,7 +6,7 @@
 
 namespace traverse::app
 {
-/** traverse-map: a log and an ini to maps, pictures, layers, metrics and a report. Results are named on
- * stdout, talk goes to stderr. Never throws. */
+/** traverse-map: a log and an ini to maps, pictures, layers, metrics and a report. Results are
+ * named on stdout, talk goes to stderr. Never throws. */
 ExitCode runMapApp(int argc, const char* const* argv);
 }  // namespace traverse::app
