@@ -132,7 +132,8 @@ formats::Section mapSection(
     constexpr size_t kBins = 40;
     if (const auto* values = std::get_if<std::vector<float>>(&layer.data))
     {
-      formats::Histogram histogram = formats::histogramOf(*values, kBins, layer.name, layer.unit);
+      formats::Histogram histogram =
+          formats::histogramOf(*values, kBins, layer.name, layer.unit == "1" ? "" : layer.unit);
       if (!histogram.counts.empty())
       {
         section.blocks.emplace_back(std::move(histogram));

@@ -120,6 +120,4 @@ layers::UpdateStats update(
   }
   return stats;
 }
-
-void advance(State& /*state*/, poses::TimeNs /*time*/) {}
 }  // namespace traverse::traversability_grid

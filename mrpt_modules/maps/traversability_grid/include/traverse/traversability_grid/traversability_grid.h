@@ -28,10 +28,6 @@ layers::UpdateStats update(
     const Params& params,
     const geometry::Vehicle& vehicle);
 
-/** Lets time pass without a scan. Nothing of this map changes by itself as long as it forgets
- * nothing by age. */
-void advance(State& state, poses::TimeNs time);
-
 /** The map's layers in a window. By default all of it: a rolling map's window, a fixed map's
  * rectangle, a growing map's occupied cells (no cells where there is none).
  *
