@@ -113,6 +113,21 @@ TEST_F(TraverseMapErrors, AnUnreadableLogIsExitFour)
   }
 }
 
+TEST_F(TraverseMapErrors, AMissingTrajectoryIsExitFour)
+{
+  const Finished ran =
+      vlp16({"--set", "Poses.source=file", "--set", "Poses.file=/nonexistent.tum"});
+  EXPECT_EQ(ran.exit_code, 4);
+  EXPECT_THAT(ran.err, HasSubstr("/nonexistent.tum"));
+}
+
+TEST_F(TraverseMapErrors, ALogWithoutTheAskedPosesSaysSo)
+{
+  const Finished ran = vlp16({"--set", "Poses.source=odometry"});
+  EXPECT_EQ(ran.exit_code, 5);
+  EXPECT_THAT(ran.err, HasSubstr("no poses of source 'odometry'"));
+}
+
 TEST_F(TraverseMapErrors, ATruncatedLogIsSavedAndMarkedPartial)
 {
   const std::string whole =

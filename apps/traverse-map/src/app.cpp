@@ -79,10 +79,13 @@ void noteWhatIsMissing(RunMetrics& metrics)
     metrics.complete = false;
     metrics.problems.emplace_back("interrupted: what was finished is saved");
   }
-  if (metrics.scans == 0)
+  if (metrics.scans == 0 && metrics.problems.empty())
   {
     metrics.problems.push_back(
         fmt::format("{}: no observation in it became points", metrics.rawlog));
+  }
+  if (metrics.scans == 0)
+  {
     return;
   }
   for (const MapMetrics& map : metrics.maps)
