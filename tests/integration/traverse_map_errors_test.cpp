@@ -89,6 +89,48 @@ TEST_F(TraverseMapErrors, ValuesOutOfRangeAreRefused)
   }
 }
 
+TEST_F(TraverseMapErrors, KeysThatContradictEachOtherAreNamedWithTheirLine)
+{
+  const Finished window = withIni(
+      "[Maps]\nCTraversabilityGridMap_count=1\n[Maps_CTraversabilityGridMap_00_insertOpts]\n"
+      "window_m = 1\ncell_size_m = 2\n");
+  EXPECT_EQ(window.exit_code, 3);
+  EXPECT_THAT(window.err, AllOf(HasSubstr("car.ini:4:"), HasSubstr("window_m")));
+  const Finished ranges =
+      withIni("[Maps]\nCTraversabilityGridMap_count=1\n[Sensors]\nmin_range_m=5\nmax_range_m=2\n");
+  EXPECT_EQ(ranges.exit_code, 3);
+  EXPECT_THAT(ranges.err, AllOf(HasSubstr("car.ini:5:"), HasSubstr("max_range_m")));
+  EXPECT_EQ(withIni("[Maps]\ntraversabilityGridMap_count=1\n").exit_code, 0) << "the alias";
+}
+
+TEST_F(TraverseMapErrors, MostScansWithoutAPoseIsPartial)
+{
+  writeText(scratch_ / "one.tum", "1136119200 0 0 0 0 0 0 1\n");
+  const Finished ran = traverseMap(
+      {ini("laser2d"), "--output", scratch_ / "out", "--set", "Poses.source=file", "--set",
+       "Poses.file=" + (scratch_ / "one.tum").string()});
+  EXPECT_EQ(ran.exit_code, 5) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("no valid pose"));
+}
+
+TEST_F(TraverseMapErrors, AJumpOfAThousandKilometresLosesNothing)
+{
+  const Finished odometry =
+      traverseMap({ini("laser2d"), "--output", scratch_ / "a", "--set", "Poses.source=odometry"});
+  ASSERT_EQ(odometry.exit_code, 0) << odometry.err;
+  const double start = metricsOf(scratch_ / "a")["first_stamp_s"];
+  writeText(
+      scratch_ / "jump.tum", std::to_string(start) + " 0 0 0 0 0 0 1\n" +
+                                 std::to_string(start + 30) + " 1000000 0 0 0 0 0 1\n");
+  const Finished ran = traverseMap(
+      {ini("laser2d"), "--output", scratch_ / "b", "--set", "Poses.source=file", "--set",
+       "Poses.file=" + (scratch_ / "jump.tum").string(), "--set", "Poses.max_pose_age_s=20",
+       "--set", "Maps_CTraversabilityGridMap_00_insertOpts.extent=growing"});
+  EXPECT_EQ(ran.exit_code, 5) << ran.err;
+  EXPECT_TRUE(fs::exists(scratch_ / "b" / "map.traverse"));
+  EXPECT_TRUE(fs::exists(scratch_ / "b" / "traversability_class.tif"));
+}
+
 TEST_F(TraverseMapErrors, StockMapsAreLeftToMrptWithAWarning)
 {
   const Finished ran = withIni(

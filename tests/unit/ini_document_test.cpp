@@ -86,6 +86,12 @@ TEST(IniDocument, RefusesWhatMrptReadsOver)
   EXPECT_THAT(messageOf([] { IniDocument::fromFile("/tmp"); }), HasSubstr("no such file"));
 }
 
+TEST(IniDocument, ACommentNeverSwallowsTheNextLine)
+{
+  const std::string text = "[A]\n// in C:\\logs\\\nb=1\n";
+  EXPECT_THAT(messageOf([&] { ini(text); }), HasSubstr("car.ini:2: a comment"));
+}
+
 TEST(IniDocument, ExpandsAsMrptDoes)
 {
   const IniDocument d = ini("@define TALL 1.9\n[Vehicle]\nheight_m = ${TALL}\n");

@@ -73,6 +73,15 @@ TEST(PoseTrack, GoesOnWithTheLastVelocityForABoundedTime)
   EXPECT_TRUE(std::isnan(xAt(track, 11.2))) << "a pose is never used when it is too old";
 }
 
+TEST(PoseTrack, TwoPosesOfNearlyTheSameTimeGiveNoVelocity)
+{
+  const PoseTrack jitter({at(10, 0), at(10.00001, 0.04)});
+  EXPECT_NEAR(xAt(jitter, 10.5), 0.04, 1e-12) << "4 cm in 10 us is noise, not 4 km/s";
+  EXPECT_EQ(jitter.at(10 * kSecond + kSecond / 2)->quality, PoseQuality::held);
+  const PoseTrack longer({at(9.5, -1), at(10, 0), at(10.00001, 0.04)});
+  EXPECT_NEAR(xAt(longer, 10.25), 0.56, 1e-3) << "the velocity of the last half second";
+}
+
 TEST(PoseTrack, HasNoPoseInsideAGap)
 {
   const PoseTrack track({at(10, 0), at(20, 10)}, {.max_pose_age_s = 1});

@@ -46,7 +46,14 @@ ExitCode verdict(const RunMetrics& metrics)
 /** What a user must know of a map that did not take everything. */
 void noteAbout(const MapMetrics& map, RunMetrics& metrics)
 {
-  if (map.scans == 0)
+  constexpr uint64_t kTenth = 10;  // a log's first and last scans often have no pose
+  if (map.scans == 0 && map.outside > 0)
+  {
+    metrics.problems.push_back(
+        fmt::format("{}: all {} points lie outside its extent", map.name, map.outside));
+    metrics.complete = false;
+  }
+  else if (map.scans == 0)
   {
     metrics.problems.push_back(fmt::format(
         "{}: no scan was inserted ({} of {} had no valid pose; [Poses] source = {})", map.name,
@@ -65,8 +72,13 @@ void noteAbout(const MapMetrics& map, RunMetrics& metrics)
     metrics.warnings.push_back(fmt::format(
         "{}: {} of {} scans had no valid pose", map.name, map.scans_no_pose, metrics.scans));
   }
+  if (map.scans_no_pose * kTenth > metrics.scans)
+  {
+    metrics.complete = false;
+  }
   if (map.over_budget > 0)
   {
+    metrics.complete = false;
     metrics.warnings.push_back(
         fmt::format("{}: {} points found no room; raise max_memory_mb", map.name, map.over_budget));
   }
@@ -77,7 +89,9 @@ void noteWhatIsMissing(RunMetrics& metrics)
   if (Interrupt::exitCode())
   {
     metrics.complete = false;
-    metrics.problems.emplace_back("interrupted: what was finished is saved");
+    metrics.problems.emplace_back(
+        metrics.scans == 0 ? "interrupted before anything was mapped"
+                           : "interrupted: what was finished is saved");
   }
   if (metrics.scans == 0 && metrics.problems.empty())
   {
@@ -87,6 +101,12 @@ void noteWhatIsMissing(RunMetrics& metrics)
   if (metrics.scans == 0)
   {
     return;
+  }
+  if (const uint64_t skewed = metrics.deskew["no_poses"]; skewed > 0)
+  {
+    metrics.warnings.push_back(fmt::format(
+        "{} of {} scans are not corrected for motion: no poses at the times of their points",
+        skewed, metrics.scans));
   }
   for (const MapMetrics& map : metrics.maps)
   {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <memory>
+#include <regex>
 
 namespace traverse::app
 {
@@ -35,14 +36,26 @@ std::vector<mrpt::maps::CMetricMap::Ptr> make(const WantedMap& wanted, const Set
 /** The message of an exception that MRPT has wrapped into a report with addresses. */
 std::string plainMessage(const std::string& what)
 {
-  const std::string mark = "Message:";
-  const size_t begin = what.find(mark);
-  if (begin == std::string::npos)
+  std::string text = what;
+  for (const std::string mark : {"==== MRPT exception ====\n", "Message:"})
   {
-    return what;
+    if (text.rfind(mark, 0) == 0)
+    {
+      text.erase(0, mark.size());
+    }
   }
-  const size_t text = what.find_first_not_of(' ', begin + mark.size());
-  return what.substr(text, what.find('\n', text) - text);
+  text.erase(0, text.find_first_not_of(' '));
+  return text.substr(0, text.find('\n'));
+}
+
+/** "section NAME: key = ..." with the place of that key in front, where it stands in the ini. */
+std::string withPlace(const std::string& message, const config::IniDocument& ini)
+{
+  static const std::regex kKey("section (\\S+): (\\w+) = .*");
+  std::smatch match;
+  const config::Entry* entry =
+      std::regex_match(message, match, kKey) ? ini.find(match[1].str(), match[2].str()) : nullptr;
+  return entry == nullptr ? message : fmt::format("{}: {}", entry->place, message);
 }
 
 /** Adds the maps of one name; all of them, or ConfigError. */
@@ -82,7 +95,7 @@ std::vector<BuiltMap> buildMaps(const Settings& settings)
     }
     catch (const std::exception& e)
     {
-      throw ConfigError(fmt::format("[Maps] {}: {}", wanted.name, plainMessage(e.what())));
+      throw ConfigError(withPlace(plainMessage(e.what()), settings.ini));
     }
   }
   return built;

@@ -90,6 +90,8 @@ void mapScan(
     std::vector<BuiltMap>& maps,
     RunMetrics& metrics)
 {
+  metrics.last_stamp_s = static_cast<double>(decoded.scan.stamp) * poses::kSecondsPerNs;
+  metrics.first_stamp_s = metrics.scans == 0 ? metrics.last_stamp_s : metrics.first_stamp_s;
   ++metrics.scans;
   metrics.points += decoded.scan.size();
   metrics.rejects += decoded.rejects;

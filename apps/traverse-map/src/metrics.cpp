@@ -107,6 +107,8 @@ std::string toJson(const RunMetrics& metrics)
         {"backward", metrics.backward_stamps},
         {"bad", metrics.bad_stamps}}},
       {"scans", metrics.scans},
+      {"first_stamp_s", metrics.first_stamp_s},
+      {"last_stamp_s", metrics.last_stamp_s},
       {"points", metrics.points},
       {"pose_source", metrics.pose_source},
       {"poses", object(metrics.poses)},

@@ -75,6 +75,8 @@ struct RunMetrics
   uint64_t backward_stamps = 0;
   uint64_t bad_stamps = 0;
   uint64_t scans = 0;                            //!< decoded
+  double first_stamp_s = 0;                      //!< of the first scan, since 1970
+  double last_stamp_s = 0;                       //!< of the last one
   uint64_t points = 0;                           //!< decoded
   std::map<std::string, uint64_t> deskew;        //!< scans by what was done
   std::map<std::string, uint64_t> pose_quality;  //!< scans by how their pose was found

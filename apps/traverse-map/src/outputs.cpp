@@ -167,6 +167,32 @@ void Outputs::writePictures(
   }
 }
 
+layers::LayerSet Outputs::layersOf(
+    const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time)
+{
+  try
+  {
+    return map.consumer->layerSet();
+  }
+  catch (const std::length_error& e)
+  {
+    constexpr int32_t kHalf = 2000;
+    const geometry::Lattice lattice =
+        map.consumer->layerSet(geometry::CellRect{{0, 0}, {1, 1}}).lattice;
+    const auto pose = track.at(time);
+    const Eigen::Vector3d p =
+        pose ? Eigen::Vector3d(pose->T_map_base.translation()) : Eigen::Vector3d::Zero();
+    const geometry::CellIndex c =
+        lattice.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y()));
+    metrics_.complete = false;
+    metrics_.problems.push_back(fmt::format(
+        "{}: {}; layers and pictures show {} cells around the robot, the archive has all", map.name,
+        e.what(), 2 * kHalf));
+    return map.consumer->layerSet(
+        geometry::CellRect{{c.x - kHalf, c.y - kHalf}, {c.x + kHalf, c.y + kHalf}});
+  }
+}
+
 void Outputs::finish(
     const std::vector<BuiltMap>& maps, const poses::PoseTrack& track, poses::TimeNs last_stamp)
 {
@@ -174,11 +200,11 @@ void Outputs::finish(
   for (size_t i = 0; i < maps.size(); ++i)
   {
     const BuiltMap& map = maps[i];
-    const layers::LayerSet set =
-        metrics_.times.during("layers", [&] { return map.consumer->layerSet(); });
-    metrics_.maps[i].cells_by_class = cellsByClass(set);
     metrics_.times.during(
         "write", [&] { write("map" + map.file_suffix + ".traverse", map.consumer->archive()); });
+    const layers::LayerSet set =
+        metrics_.times.during("layers", [&] { return layersOf(map, track, last_stamp); });
+    metrics_.maps[i].cells_by_class = cellsByClass(set);
     if (set.extent.empty())
     {
       metrics_.warnings.push_back(

@@ -40,6 +40,9 @@ class Outputs
 
  private:
   void write(const std::string& name, const std::string& bytes);
+  /** All layers; of a map too large for that, those of a window around the robot, and a problem is
+   * noted. */
+  layers::LayerSet layersOf(const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time);
   void writeLayers(const BuiltMap& map, const layers::LayerSet& set);
   void writePictures(
       const BuiltMap& map,

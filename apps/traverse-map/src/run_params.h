@@ -36,7 +36,7 @@ void visitRunParams(P& p, F&& f)
           "a picture of the map every so many seconds of the log; 0 = only at the end",
           {0, 1e6}},
       p.snapshot_every_s);
-  f(Option{"picture_width_px", "width of pictures, pixels", {200, 8000}}, p.picture_width_px);
+  f(Option{"picture_width_px", "width of pictures, pixels", {200, 4096}}, p.picture_width_px);
   f(Option{"scene", "write the 3-D view for SceneViewer3D (map.3Dscene)"}, p.scene);
 }
 

@@ -108,13 +108,31 @@ void checkSections(Settings& settings, const std::vector<WantedMap>& stock)
 
 /** Relative names of the ini start at its folder; those of the command line at the working folder.
  */
-std::filesystem::path inputFile(const Settings& settings, const Command& command)
+std::string fromIniFolder(
+    const config::IniDocument& ini,
+    const std::string& section,
+    const std::string& key,
+    const std::string& name)
 {
-  const Entry* entry = settings.ini.find("traverse-map", "rawlog");
-  const bool from_ini =
-      command.rawlog.empty() && entry != nullptr && entry->place.rfind("--set", 0) != 0;
-  const std::filesystem::path file = command.rawlog.empty() ? settings.run.rawlog : command.rawlog;
-  return from_ini && file.is_relative() && !file.empty() ? settings.ini.folder() / file : file;
+  const Entry* entry = ini.find(section, key);
+  const bool written_in_ini = entry != nullptr && entry->place.rfind("--set", 0) != 0;
+  const bool relative = !name.empty() && std::filesystem::path(name).is_relative();
+  return written_in_ini && relative ? (ini.folder() / name).string() : name;
+}
+
+/** What no single key can say. */
+void checkTogether(const Settings& settings)
+{
+  const geometry::Vehicle& v = settings.vehicle;
+  if (v.footprint_xs_m.size() != v.footprint_ys_m.size() || v.footprint_xs_m.size() < 3)
+  {
+    throw ConfigError(
+        "[Vehicle] footprint_xs_m and footprint_ys_m need as many corners, at least 3");
+  }
+  if (settings.poses.source == poses::PoseSource::file && settings.poses.file.empty())
+  {
+    throw ConfigError("[Poses] source = file needs file = a trajectory");
+  }
 }
 }  // namespace
 
@@ -131,15 +149,10 @@ Settings loadSettings(const Command& command)
   config::load(settings.ini, "Poses", settings.poses);
   config::load(settings.ini, "Sensors", settings.sensors);
   config::load(settings.ini, "Log", settings.log);
-  if (!settings.poses.file.empty() && std::filesystem::path(settings.poses.file).is_relative())
-  {
-    settings.poses.file = settings.ini.folder() / settings.poses.file;
-  }
-  if (!settings.poses.times_file.empty() &&
-      std::filesystem::path(settings.poses.times_file).is_relative())
-  {
-    settings.poses.times_file = settings.ini.folder() / settings.poses.times_file;
-  }
+  settings.poses.file = fromIniFolder(settings.ini, "Poses", "file", settings.poses.file);
+  settings.poses.times_file =
+      fromIniFolder(settings.ini, "Poses", "times_file", settings.poses.times_file);
+  checkTogether(settings);
 
   std::vector<WantedMap> stock;
   readWantedMaps(settings, stock);
@@ -148,7 +161,9 @@ Settings loadSettings(const Command& command)
   {
     checkMapSections(map, settings.ini);
   }
-  settings.rawlog = inputFile(settings, command);
+  settings.rawlog = command.rawlog.empty()
+                        ? fromIniFolder(settings.ini, "traverse-map", "rawlog", settings.run.rawlog)
+                        : command.rawlog;
   settings.output = command.output.empty() ? settings.run.output : command.output;
   settings.force = command.force;
   settings.quiet = command.quiet;

@@ -34,9 +34,10 @@ std::vector<poses::StampedPose> posesOf(
   }
   logs::PoseReading reading = logs::readLogPoses(
       settings.rawlog, settings.poses.source, settings.log, settings.sensors, {&stop, false});
-  if (!reading.report.complete())
+  if (!reading.report.complete() && reading.report.end != logs::LogEnd::stopped)
   {
-    metrics.warnings.push_back("poses: " + reading.report.damage);
+    metrics.problems.push_back("poses: " + reading.report.damage);
+    metrics.complete = false;
   }
   return std::move(reading.poses);
 }

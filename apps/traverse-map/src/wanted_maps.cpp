@@ -24,6 +24,7 @@ std::vector<std::string> ownNames()
   for (const plugin::MapSchema& schema : plugin::mapSchemas())
   {
     names.push_back(schema.name);
+    names.insert(names.end(), schema.aliases.begin(), schema.aliases.end());
   }
   return names;
 }
@@ -122,7 +123,7 @@ void forEachSection(const WantedMap& map, F&& f)
 {
   for (const plugin::MapSchema& schema : plugin::mapSchemas())
   {
-    if (!sameName(schema.name, map.name))
+    if (!sameName(schema.name, map.name) && !isOneOf(map.name, schema.aliases))
     {
       continue;
     }

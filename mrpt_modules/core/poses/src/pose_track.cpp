@@ -125,22 +125,36 @@ std::optional<TrackedPose> PoseTrack::beyondEnd(size_t nearest, TimeNs time) con
   {
     return std::nullopt;
   }
-  // The neighbour on the far side of `end` gives the velocity, if it is near enough and of its
-  // segment.
-  const bool has_neighbour = away_s > 0 ? nearest > 0 : nearest + 1 < poses_.size();
-  if (has_neighbour)
+  if (const auto neighbour = velocityNeighbour(nearest, away_s > 0))
   {
-    const size_t neighbour = away_s > 0 ? nearest - 1 : nearest + 1;
-    const double step_s = secondsBetween(poses_[neighbour].time, end.time);
-    if (segment_[neighbour] == segment_[nearest] && std::abs(step_s) <= limits_.max_pose_age_s)
-    {
-      const double fraction = 1 + away_s / step_s;
-      return TrackedPose{
-          interpolate(poses_[neighbour].T_map_base, end.T_map_base, fraction),
-          PoseQuality::extrapolated, segment_[nearest]};
-    }
+    const StampedPose& other = poses_[*neighbour];
+    const double fraction = 1 + away_s / secondsBetween(other.time, end.time);
+    return TrackedPose{
+        interpolate(other.T_map_base, end.T_map_base, fraction), PoseQuality::extrapolated,
+        segment_[nearest]};
   }
   return TrackedPose{end.T_map_base, PoseQuality::held, segment_[nearest]};
+}
+
+std::optional<size_t> PoseTrack::velocityNeighbour(size_t end, bool before) const
+{
+  // Over less, the noise of two poses would be taken for speed.
+  constexpr double kShortest_s = 0.05;
+  const size_t step =
+      before ? static_cast<size_t>(-1) : 1;  // unsigned: wraps below 0, and beyond the size
+  for (size_t i = end + step; i < poses_.size() && segment_[i] == segment_[end]; i += step)
+  {
+    const double apart_s = std::abs(secondsBetween(poses_[i].time, poses_[end].time));
+    if (apart_s > limits_.max_pose_age_s)
+    {
+      break;
+    }
+    if (apart_s >= kShortest_s)
+    {
+      return i;
+    }
+  }
+  return std::nullopt;
 }
 
 namespace

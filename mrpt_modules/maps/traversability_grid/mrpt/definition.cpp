@@ -45,14 +45,16 @@ void CTraversabilityGridMap::TMapDefinition::loadFromConfigFile_map_specific(
   config::load(source, prefix + "_renderOpts", render_opts);
   config::load(source, "Vehicle", vehicle);
   config::load(source, "Sensors", sensors);
+  std::string section = prefix + "_insertOpts";
   try
   {
     traversability_grid::check(insertionOpts);
+    section = "Sensors";
     observations::checkTogether(sensors);
   }
   catch (const options::OptionError& e)
   {
-    throw config::ConfigError("[" + prefix + "_insertOpts] or [Sensors]: " + e.what());
+    throw config::ConfigError("section " + section + ": " + e.what());
   }
 }
 

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/lattice.h>
 #include <traverse/traversability_grid/params.h>
+
+#include <cmath>
 
 namespace traverse::traversability_grid
 {
@@ -53,6 +56,11 @@ void check(const Params& p)
   rises(
       "index_large_roughness", p.index_small_roughness, p.index_large_roughness,
       "index_small_roughness");
+  const double cell_mm = p.cell_size_m * geometry::kMillimetresPerMetre;
+  if (std::abs(cell_mm - std::round(cell_mm)) > 1e-6)  // far above rounding, far below 1 mm
+  {
+    throw options::OptionError("cell_size_m", options::format(p.cell_size_m), "whole millimetres");
+  }
   checkEdge("window_m", p.window_m, p.cell_size_m);
   if (p.extent == Extent::fixed)
   {

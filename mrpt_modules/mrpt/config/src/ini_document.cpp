@@ -60,6 +60,11 @@ class LineScanner
       }
       line = trimmed(line);
       continues_ = !line.empty() && line.back() == '\\';
+      if (continues_ && (isComment(line) || line.find("//") != std::string::npos))
+      {
+        throw ConfigError(
+            fmt::format("{}: a comment that ends in '\\' would swallow the next line", place()));
+      }
       if (!continued)
       {
         take(line);

@@ -34,6 +34,10 @@ void OdometryTrack::add(const Movement& movement)
   {
     return;
   }
+  if (form_ == Form::unknown)
+  {
+    ready_ = std::exchange(before_first_, std::nullopt);
+  }
   form_ = Form::actions;
   pose_ = pose_ * movement.T_before_after;
   // Thousands of products: keep it a rotation.
@@ -45,11 +49,14 @@ void OdometryTrack::frameEnd()
 {
   const auto frame_stamp = std::exchange(frame_stamp_, std::nullopt);
   const auto action_stamp = std::exchange(action_stamp_, std::nullopt);
-  if (form_ != Form::observations)
+  if (form_ == Form::observations)
   {
-    const auto stamp = frame_stamp ? frame_stamp : action_stamp;
-    ready_ = poses::StampedPose{stamp.value_or(0), pose_};
+    return;
   }
+  const auto stamp = frame_stamp ? frame_stamp : action_stamp;
+  // A log without any movement has no odometry, whatever frames it has.
+  std::optional<poses::StampedPose>& pose = form_ == Form::actions ? ready_ : before_first_;
+  pose = poses::StampedPose{stamp.value_or(0), pose_};
 }
 
 std::optional<poses::StampedPose> OdometryTrack::take()

@@ -42,5 +42,6 @@ class OdometryTrack
   std::optional<poses::TimeNs> action_stamp_;
   std::optional<poses::TimeNs> frame_stamp_;
   std::optional<poses::StampedPose> ready_;
+  std::optional<poses::StampedPose> before_first_;  // of the last frame before any movement
 };
 }  // namespace traverse::logs

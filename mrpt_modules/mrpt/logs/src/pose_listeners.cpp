@@ -25,7 +25,11 @@ class OdometryListener : public FrameListener
     send("CObservationOdometry");
   }
 
-  void movement(const Movement& movement) override { track_.add(movement); }
+  void movement(const Movement& movement) override
+  {
+    track_.add(movement);
+    send("CActionRobotMovement2D");  // the frame before the first movement has its pose now
+  }
 
   void frameEnd() override
   {

@@ -27,6 +27,7 @@ std::vector<MapSchema> mapSchemas()
   const maps::CTraversabilityGridMap::TMapDefinition traversability;
   return {
       {"CTraversabilityGridMap",
+       {"traversabilityGridMap", "traverse::maps::CTraversabilityGridMap"},
        {schemaOf("creationOpts", "What MRPT may do with the map.", config::CreationParams{}),
         schemaOf(
             "insertOpts", "Cells, extent and classes: doc/maps/traversability_grid.md.",

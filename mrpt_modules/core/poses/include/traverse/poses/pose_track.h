@@ -93,6 +93,9 @@ class PoseTrack
  private:
   std::optional<TrackedPose> beyondEnd(size_t nearest, TimeNs time) const;
 
+  /** A pose of the same segment, before or after `end`, from which to tell the velocity there. */
+  std::optional<size_t> velocityNeighbour(size_t end, bool before) const;
+
   std::vector<StampedPose> poses_;
   std::vector<int> segment_;  // of each pose
   TrackLimits limits_;

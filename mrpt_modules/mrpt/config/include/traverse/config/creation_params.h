@@ -19,11 +19,15 @@ template <class P, class F>
 void visitCreationParams(P& p, F&& f)
 {
   using options::Option;
-  f(Option{"enablesaveas3dobject", "the map shows itself in scenes"}, p.enable_save_as_3d_object);
+  f(Option{"enablesaveas3dobject", "the map shows itself in the scenes of stock programs"},
+    p.enable_save_as_3d_object);
   f(Option{"enableobservationlikelihood", "the map takes part in localisation"},
     p.enable_observation_likelihood);
-  f(Option{"enableobservationinsertion", "the map takes observations"},
-    p.enable_observation_insertion);
+  f(
+      Option{
+          "enableobservationinsertion",
+          "the map takes observations (from stock programs; traverse-map always feeds it)"},
+      p.enable_observation_insertion);
 }
 
 template <class F>

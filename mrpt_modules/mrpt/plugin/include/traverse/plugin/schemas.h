@@ -27,7 +27,8 @@ struct SectionSchema
  * names. */
 struct MapSchema
 {
-  std::string name;  //!< as in `name`_count
+  std::string name;                  //!< as in `name`_count
+  std::vector<std::string> aliases;  //!< other names that MRPT's factory knows it by
   std::vector<SectionSchema> sections;
 };
 
