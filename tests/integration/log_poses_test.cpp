@@ -55,14 +55,19 @@ mrpt::obs::CActionRobotMovement2D step(double x, double phi)
   return action;
 }
 
+std::string frameAt(double t_s)
+{
+  mrpt::obs::CSensoryFrame frame;
+  frame.insert(std::make_shared<mrpt::obs::CObservation2DRangeScan>(laserScan(t_s)));
+  return serialised(frame);
+}
+
 /** An action and the frame that it led to. */
 std::string pairOf(mrpt::obs::CActionRobotMovement2D action, double t_s)
 {
   mrpt::obs::CActionCollection actions;
   actions.insert(action);
-  mrpt::obs::CSensoryFrame frame;
-  frame.insert(std::make_shared<mrpt::obs::CObservation2DRangeScan>(laserScan(t_s)));
-  return serialised(actions) + serialised(frame);
+  return serialised(actions) + frameAt(t_s);
 }
 
 TEST(LogPoses, OdometryOfTheSenaLogIsMrptsOwn)
@@ -123,6 +128,15 @@ TEST(LogPoses, IncrementsArePutTogetherAndStampedByTheirFrame)
   EXPECT_NEAR(r.poses[1].T_map_base.translation().x(), 2, 1e-9);
   EXPECT_NEAR(r.poses[1].T_map_base.translation().y(), 2, 1e-9);
   EXPECT_NEAR(r.poses[3].T_map_base.translation().norm(), 0, 1e-9);
+}
+
+TEST(LogPoses, FramesWithoutAnyMovementAreNoOdometry)
+{
+  EXPECT_TRUE(posesOf(frameAt(0) + frameAt(1), PoseSource::odometry).poses.empty());
+  const PoseReading moved = posesOf(frameAt(0) + pairOf(step(2, 0), 1), PoseSource::odometry);
+  ASSERT_EQ(moved.poses.size(), 2U) << "the frame before the first movement is where it began";
+  EXPECT_NEAR(moved.poses[0].T_map_base.translation().x(), 0, 1e-12);
+  EXPECT_NEAR(moved.poses[1].T_map_base.translation().x(), 2, 1e-9);
 }
 
 TEST(LogPoses, SpeedsAndTicksOfAnActionAreSkippedRight)
