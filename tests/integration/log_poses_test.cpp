@@ -63,7 +63,7 @@ std::string frameAt(double t_s)
 }
 
 /** An action and the frame that it led to. */
-std::string pairOf(mrpt::obs::CActionRobotMovement2D action, double t_s)
+std::string pairOf(const mrpt::obs::CActionRobotMovement2D& action, double t_s)
 {
   mrpt::obs::CActionCollection actions;
   actions.insert(action);
