@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/geometry/lattice.h>
+
+#include <cstdint>
+#include <limits>
+
+namespace traverse::ground
+{
+/** What a cell holds from its lowest point up to the first gap that the vehicle fits under. Heights
+ * are metres above a reference that the caller chooses once for all columns and seeds. */
+struct Column
+{
+  geometry::CellIndex cell;
+  uint32_t n = 0;
+  float low_m = 0;
+  float mean_m = 0;
+  float top_m = 0;
+};
+
+/** A place where the vehicle stands or stood: the ground there is known without any point. */
+struct Seed
+{
+  double x_m = 0;  //!< map frame
+  double y_m = 0;
+  float z_m = 0;  //!< of the ground, above the columns' reference
+  float slope_x = 0;
+  float slope_y = 0;
+  float radius_m = 0;  //!< how far around it the ground is taken to be this plane
+};
+
+/** What the estimate says of a column. */
+struct Verdict
+{
+  static constexpr float kNone = -std::numeric_limits<float>::infinity();
+
+  /** Height of the ground in the cell's middle, above the reference; NaN where it is not known. */
+  float ground_m = std::numeric_limits<float>::quiet_NaN();
+
+  /** The cell's points up to this height are ground; kNone where none is. */
+  float limit_m = kNone;
+
+  bool isKnown() const { return ground_m == ground_m; }
+
+  /** Ground was met in the cell, or may be there. */
+  bool bearsGround() const { return limit_m != kNone; }
+};
+}  // namespace traverse::ground

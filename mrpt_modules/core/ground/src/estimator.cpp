@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "patch_grid.h"
+#include "spread.h"
+#include "surfaces.h"
+
+#include <traverse/ground/estimator.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace traverse::ground
+{
+namespace
+{
+bool isBefore(const Seed& a, const Seed& b)
+{
+  const auto key = [](const Seed& s)
+  { return std::tie(s.radius_m, s.y_m, s.x_m, s.z_m, s.slope_x, s.slope_y); };
+  return key(a) < key(b);
+}
+}  // namespace
+
+struct Estimator::WorkSpace
+{
+  PatchGrid grid;
+  std::vector<Seed> seeds;
+  std::vector<Surface> surfaces;
+  std::vector<Verdict> verdicts;
+};
+
+Estimator::Estimator() : work_(std::make_unique<WorkSpace>()) {}
+
+// A work space is no state: a copy begins with an empty one.
+Estimator::Estimator(const Estimator& /*other*/) : Estimator() {}
+
+Estimator::Estimator(Estimator&& other) noexcept = default;
+
+Estimator& Estimator::operator=(Estimator other) noexcept
+{
+  std::swap(work_, other.work_);
+  return *this;
+}
+
+Estimator::~Estimator() = default;
+
+std::span<const Verdict> Estimator::estimate(
+    std::span<const Column> columns,
+    std::span<const Seed> seeds,
+    const geometry::Lattice& lattice,
+    const geometry::CellRect& window,
+    const Params& params)
+{
+  if (work_ == nullptr)  // moved from
+  {
+    work_ = std::make_unique<WorkSpace>();
+  }
+  work_->verdicts.assign(columns.size(), {});
+  if (columns.empty() || seeds.empty() || window.empty())
+  {
+    return work_->verdicts;
+  }
+  work_->grid.reset(columns, lattice, window, params.patch_m);
+  work_->seeds.assign(seeds.begin(), seeds.end());
+  std::sort(work_->seeds.begin(), work_->seeds.end(), isBefore);
+  Spread(work_->grid, columns, params).from(work_->seeds);
+  Surfaces(work_->grid, columns, params).judge(work_->surfaces, work_->verdicts);
+  return work_->verdicts;
+}
+}  // namespace traverse::ground
