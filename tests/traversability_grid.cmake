@@ -1,6 +1,8 @@
 # Tests of core/layers' storage and of maps/traversability_grid.
 traverse_test(unit tile_grid_test USES layers)
 traverse_test(unit height_slabs_test USES layers)
+traverse_test(unit lattice_points_test USES traversability_grid)
+traverse_test(unit scan_cells_test USES traversability_grid)
 traverse_test(unit traversability_features_test USES traversability_grid)
 traverse_test(unit traversability_scenes_test USES traversability_grid)
 traverse_test(property traversability_order_test USES traversability_grid)

@@ -25,14 +25,29 @@ double distance_mm(const State& state, const layers::HeightSlab* slab, int64_t z
   return nearest;
 }
 
-double logLikelihoodOf(const State& state, const LatticePoint& p, const LikelihoodParams& params)
+double logLikelihoodOf(
+    const State& state, geometry::CellIndex index, int64_t z_mm, const LikelihoodParams& params)
 {
-  const Cell* cell = state.cells.get(p.cell);
+  const Cell* cell = state.cells.get(index);
   const layers::HeightSlab* lowest = cell == nullptr ? nullptr : state.slabs.get(cell->slabs);
-  const int64_t z_mm = int64_t{p.level} * state.slab_mm + p.inside.z_mm;
   const double off = distance_mm(state, lowest, z_mm) / geometry::kMillimetresPerMetre;
   const double sigmas = off / params.sigma_m;
   return -std::min(sigmas * sigmas / 2, params.worst);
+}
+
+/** `size` points of the scan, evenly picked. */
+points::ScanBuffer pick(const points::Scan& scan, size_t size)
+{
+  points::ScanBuffer picked;
+  picked.reserve(size);
+  for (size_t k = 0; k < size; ++k)
+  {
+    const size_t i = k * scan.size() / size;
+    picked.x.push_back(scan.x[i]);
+    picked.y.push_back(scan.y[i]);
+    picked.z.push_back(scan.z[i]);
+  }
+  return picked;
 }
 }  // namespace
 
@@ -50,15 +65,21 @@ double logLikelihood(
   {
     return 0;
   }
-  const auto most = static_cast<size_t>(params.max_points);
-  const size_t looked_at = std::min(most, scan.size());
+  const points::ScanBuffer picked =
+      pick(scan, std::min(static_cast<size_t>(params.max_points), scan.size()));
   double sum = 0;
   layers::UpdateStats ignored;
-  for (size_t k = 0; k < looked_at; ++k)
+  LatticePoints points;
+  for (size_t first = 0; first < picked.size(); first += points.size)
   {
-    const size_t i = k * scan.size() / looked_at;
-    const auto point = projection->project({scan.x[i], scan.y[i], scan.z[i]}, ignored);
-    sum -= point ? -logLikelihoodOf(state, *point, params) : params.worst;
+    projection->project(picked.view(), first, points, ignored);
+    for (size_t i = 0; i < points.size; ++i)
+    {
+      const geometry::CellIndex min = projection->accepted().min;
+      const geometry::CellIndex cell{min.x + points.column[i], min.y + points.row[i]};
+      const int64_t z_mm = int64_t{points.level[i]} * state.slab_mm + points.z_mm[i];
+      sum += points.column[i] < 0 ? -params.worst : logLikelihoodOf(state, cell, z_mm, params);
+    }
   }
   return sum;
 }

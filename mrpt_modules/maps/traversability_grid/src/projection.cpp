@@ -30,6 +30,40 @@ geometry::CellRect acceptedOf(
              ? Cells::intersection(neighbourhood, fixedRect(state.lattice, params))
              : neighbourhood;
 }
+
+LatticeBox boxOf(
+    const Eigen::Isometry3d& T_map_base,
+    const geometry::CellRect& accepted,
+    const State& state,
+    const Params& params)
+{
+  LatticeBox box;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      box.T_map_base[static_cast<size_t>(row)][static_cast<size_t>(column)] =
+          T_map_base(row, column);
+    }
+  }
+  const auto edge_mm = [&](int32_t cells)
+  { return static_cast<double>(int64_t{cells} * state.lattice.cell_mm); };
+  box.cell_mm = state.lattice.cell_mm;
+  box.slab_mm = state.slab_mm;
+  box.min_x_mm = edge_mm(accepted.min.x);
+  box.min_y_mm = edge_mm(accepted.min.y);
+  box.width_mm = accepted.empty() ? 0 : edge_mm(accepted.width());
+  box.height_mm = accepted.empty() ? 0 : edge_mm(accepted.height());
+  box.lowest_m = T_map_base.translation().z() + params.lowest_m;
+  box.highest_m = T_map_base.translation().z() + params.highest_m;
+  const int64_t bottom_level =
+      geometry::floorDiv(geometry::toMillimetres(box.lowest_m), state.slab_mm);
+  const int64_t bottom_mm = bottom_level * state.slab_mm;
+  box.bottom_level = static_cast<int32_t>(bottom_level);
+  box.bottom_mm = static_cast<double>(bottom_mm);
+  box.depth_mm = static_cast<double>(geometry::toMillimetres(box.highest_m) + 1 - bottom_mm);
+  return box;
+}
 }  // namespace
 
 geometry::CellRect fixedRect(const geometry::Lattice& lattice, const Params& params)
@@ -71,60 +105,18 @@ std::optional<Projection> Projection::at(
 
 Projection::Projection(
     const Eigen::Isometry3d& T_map_base, const State& state, const Params& params) :
-    T_map_base_(T_map_base),
     neighbourhood_(neighbourhoodOf(T_map_base.translation(), state.lattice, params.window_m)),
     accepted_(acceptedOf(neighbourhood_, state, params)),
-    by_cell_(state.lattice.cell_mm),
-    by_slab_(state.slab_mm),
-    lowest_m_(T_map_base.translation().z() + params.lowest_m),
-    highest_m_(T_map_base.translation().z() + params.highest_m)
+    box_(boxOf(T_map_base, accepted_, state, params))
 {
 }
 
 void Projection::project(
-    const points::Scan& scan,
-    std::vector<LatticePoint>& projected,
-    layers::UpdateStats& stats) const
+    const points::Scan& scan, size_t first, LatticePoints& points, layers::UpdateStats& stats) const
 {
-  projected.clear();
-  projected.reserve(scan.size());
-  for (size_t i = 0; i < scan.size(); ++i)
-  {
-    if (const auto point = project({scan.x[i], scan.y[i], scan.z[i]}, stats))
-    {
-      projected.push_back(*point);
-    }
-  }
-}
-
-std::optional<LatticePoint> Projection::project(
-    const Eigen::Vector3f& p_base, layers::UpdateStats& stats) const
-{
-  const Eigen::Vector3d p = T_map_base_ * p_base.cast<double>();
-  // Written so that NaN fails it.
-  const bool is_usable = std::abs(p.x()) <= geometry::kFarthest_m &&
-                         std::abs(p.y()) <= geometry::kFarthest_m &&
-                         std::abs(p.z()) <= geometry::kFarthest_m;
-  if (!is_usable)
-  {
-    ++stats.bad_points;
-    return std::nullopt;
-  }
-  const geometry::FloorQuotient x = by_cell_(geometry::toMillimetres(p.x()));
-  const geometry::FloorQuotient y = by_cell_(geometry::toMillimetres(p.y()));
-  const bool is_inside = x.quotient >= accepted_.min.x && x.quotient < accepted_.max.x &&
-                         y.quotient >= accepted_.min.y && y.quotient < accepted_.max.y &&
-                         p.z() >= lowest_m_ && p.z() <= highest_m_;
-  if (!is_inside)
-  {
-    ++stats.outside;
-    return std::nullopt;
-  }
-  const geometry::FloorQuotient z = by_slab_(geometry::toMillimetres(p.z()));
-  return LatticePoint{
-      {static_cast<int32_t>(x.quotient), static_cast<int32_t>(y.quotient)},
-      static_cast<int32_t>(z.quotient),
-      {static_cast<uint16_t>(x.remainder), static_cast<uint16_t>(y.remainder),
-       static_cast<uint16_t>(z.remainder)}};
+  const size_t size = std::min(LatticePoints::kMost, scan.size() - first);
+  toLattice(box_, &scan.x[first], &scan.y[first], &scan.z[first], size, points);
+  stats.bad_points += points.bad;
+  stats.outside += points.outside;
 }
 }  // namespace traverse::traversability_grid

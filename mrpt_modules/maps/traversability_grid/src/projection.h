@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <traverse/geometry/floor_divider.h>
 #include <traverse/layers/scan_consumer.h>
 #include <traverse/traversability_grid/state.h>
 
@@ -23,26 +22,22 @@ class Projection
   /** The square of cells around the robot. */
   const geometry::CellRect& neighbourhood() const { return neighbourhood_; }
 
-  /** Steps 1 and 2: those of the scan's points that lie in the neighbourhood, quantised to 1 mm in
-   * the map frame after a transformation in double precision. The rest is counted in `stats`. */
+  /** The neighbourhood's part of the map's extent. */
+  const geometry::CellRect& accepted() const { return accepted_; }
+
+  /** Steps 1 and 2 for the scan's next points from `first`, up to LatticePoints::kMost of them;
+   * rows and columns from accepted().min. Those that are not in there are counted in `stats`. */
   void project(
       const points::Scan& scan,
-      std::vector<LatticePoint>& projected,
+      size_t first,
+      LatticePoints& points,
       layers::UpdateStats& stats) const;
-
-  /** One point, if it is in the neighbourhood; counted where it is not. */
-  std::optional<LatticePoint> project(
-      const Eigen::Vector3f& p_base, layers::UpdateStats& stats) const;
 
  private:
   Projection(const Eigen::Isometry3d& T_map_base, const State& state, const Params& params);
 
-  Eigen::Isometry3d T_map_base_;
   geometry::CellRect neighbourhood_;
-  geometry::CellRect accepted_;  // the neighbourhood's part of the map's extent
-  geometry::FloorDivider by_cell_;
-  geometry::FloorDivider by_slab_;
-  double lowest_m_;
-  double highest_m_;
+  geometry::CellRect accepted_;
+  LatticeBox box_;
 };
 }  // namespace traverse::traversability_grid

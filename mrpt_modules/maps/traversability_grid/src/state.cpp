@@ -74,24 +74,34 @@ SlabReading slabReading(const State& state, const Params& params, const geometry
   return {state.slab_mm, millimetres(vehicle.height_m), params.ignore_overhangs};
 }
 
-std::optional<Cells::Place> addPoint(
-    State& state, const LatticePoint& point, poses::TimeNs stamp, size_t most_tiles)
+std::optional<Cells::Place> addToMap(
+    State& state,
+    uint32_t number,
+    poses::TimeNs stamp,
+    size_t most_tiles,
+    layers::UpdateStats& stats)
 {
-  const std::optional<Cells::Place> place = state.cells.obtain(point.cell, most_tiles);
-  if (!place)
-  {
-    return std::nullopt;
-  }
-  Cell& cell = state.cells.at(*place);
+  const std::optional<Cells::Place> place = state.cells.obtain(state.scan.cell(number), most_tiles);
+  Cell nowhere;
+  Cell& cell = place ? state.cells.at(*place) : nowhere;
   const bool is_new = cell.slabs == layers::HeightSlabs::kNone;
-  layers::HeightSlab* slab = state.slabs.obtain(cell.slabs, point.level);
-  if (slab == nullptr || slab->n == layers::HeightSlab::kMostPoints)
-  {
-    return std::nullopt;
-  }
-  state.occupied += static_cast<size_t>(is_new);
-  slab->add(point.inside, stamp);
-  return place;
+  uint64_t added = 0;
+  state.scan.forEachSlab(
+      number,
+      [&](const ScanSlab& points)
+      {
+        layers::HeightSlab* slab = place ? state.slabs.obtain(cell.slabs, points.level) : nullptr;
+        if (slab == nullptr || points.n > layers::HeightSlab::kMostPoints - slab->n)
+        {
+          stats.over_budget += points.n;
+          return;
+        }
+        slab->add(points.sums(stamp));
+        added += points.n;
+      });
+  stats.points += added;
+  state.occupied += static_cast<size_t>(is_new && added > 0);
+  return added > 0 ? place : std::nullopt;
 }
 
 void clearCells(State& state)

@@ -48,28 +48,48 @@ void makeRoom(State& state, const geometry::CellRect& neighbourhood, const Param
   }
 }
 
-/** Step 3: adds the points to their cells, and lists those cells. */
-void collect(State& state, poses::TimeNs stamp, const Params& params, layers::UpdateStats& stats)
+/** Steps 1 to 3 for one scan by itself, a block of points after the other. */
+void collect(
+    State& state,
+    const points::Scan& scan,
+    const Projection& projection,
+    const Params& params,
+    layers::UpdateStats& stats)
+{
+  const uint32_t most_points = ScanSlab::mostPoints(state.lattice.cell_mm, state.slab_mm);
+  state.scan.begin(projection.accepted(), {most_points, mostTiles(params)}, scan.size());
+  LatticePoints points;
+  for (size_t first = 0; first < scan.size(); first += points.size)
+  {
+    projection.project(scan, first, points, stats);
+    state.scan.add(points);
+  }
+  stats.over_budget += state.scan.refused();
+}
+
+/** Step 3's other half: the sums of the scan's cells to those of the map, and where they are. */
+void addToMap(State& state, poses::TimeNs stamp, const Params& params, layers::UpdateStats& stats)
 {
   const size_t most_tiles = mostTiles(params);
+  std::vector<bool> is_refused;
   state.touched.clear();
-  for (const LatticePoint& point : state.projected)
+  for (uint32_t number = 0; number < state.scan.size(); ++number)
   {
-    const std::optional<Cells::Place> place = addPoint(state, point, stamp, most_tiles);
-    if (!place)
+    const std::optional<Cells::Place> place = addToMap(state, number, stamp, most_tiles, stats);
+    if (place)
     {
-      ++stats.over_budget;
-      continue;
-    }
-    ++stats.points;
-    Cell& cell = state.cells.at(*place);
-    if (!cell.touched)
-    {
-      cell.touched = true;
       state.touched.push_back(*place);
     }
+    else
+    {
+      is_refused.resize(state.scan.size());
+      is_refused[number] = true;
+    }
   }
-  state.projected.clear();
+  if (!is_refused.empty())
+  {
+    state.scan.remove(is_refused);
+  }
   stats.touched_cells = state.touched.size();
   stats.inserted = stats.points > 0;
 }
@@ -98,13 +118,14 @@ layers::UpdateStats update(
   {
     return stats;
   }
-  projection->project(scan, state.projected, stats);  // steps 1 and 2
-  if (state.projected.empty())
+  collect(state, scan, *projection, params, stats);  // steps 1 to 3
+  if (state.scan.empty())
   {
+    state.touched.clear();
     return stats;
   }
   makeRoom(state, projection->neighbourhood(), params);
-  collect(state, scan.stamp, params, stats);  // step 3
+  addToMap(state, scan.stamp, params, stats);
   rememberRobot(state, scan.stamp, T_map_base);
 
   const Classifier classify(params);
@@ -116,7 +137,6 @@ layers::UpdateStats update(
         featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);  // step 4
     cell.of = classify(features);                                       // step 5
     cell.index = indexOf(cell.of, params);                              // step 6
-    cell.touched = false;
   }
   return stats;
 }

@@ -5,9 +5,11 @@
 #include <traverse/geometry/lattice.h>
 #include <traverse/geometry/vehicle.h>
 #include <traverse/layers/height_slabs.h>
+#include <traverse/layers/scan_consumer.h>
 #include <traverse/layers/tile_grid.h>
 #include <traverse/traversability_grid/features.h>
 #include <traverse/traversability_grid/params.h>
+#include <traverse/traversability_grid/scan_cells.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,18 +24,9 @@ struct Cell
   int32_t slabs = layers::HeightSlabs::kNone;
   Class of = Class::undefined;
   uint8_t index = kNoIndex;
-  bool touched = false;  //!< by the scan that is being added
 };
 
 using Cells = layers::TileGrid<Cell>;
-
-/** A point of a scan on the map's lattice. */
-struct LatticePoint
-{
-  geometry::CellIndex cell;
-  int32_t level = 0;
-  layers::PointInSlab inside;
-};
 
 /** All that a class depends on besides the cell's sums. */
 struct ClassRule
@@ -58,9 +51,9 @@ struct State
   std::optional<poses::StampedPose> robot;   //!< latest pose that a scan came with
   ClassRule rule;                            //!< what the cells' classes were made with
 
-  // Work space of update(), kept for its capacity.
-  std::vector<LatticePoint> projected;
-  std::vector<Cells::Place> touched;  //!< cells of the last scan
+  // The last scan's; work space of update(), kept for its capacity.
+  ScanCells scan;                     //!< the cells that it touched, numbered; its points' cells
+  std::vector<Cells::Place> touched;  //!< by number, where those cells are stored
 
   bool empty() const { return occupied == 0; }
 };
@@ -68,9 +61,14 @@ struct State
 /** An empty map. Throws OptionError for Params or Vehicle that check() refuses. */
 State makeState(const Params& params, const geometry::Vehicle& vehicle);
 
-/** Adds a point to its cell. Nothing where the memory budget is spent. */
-std::optional<Cells::Place> addPoint(
-    State& state, const LatticePoint& point, poses::TimeNs stamp, size_t most_tiles);
+/** Adds the sums of the last scan in one of its cells; what was added or refused is counted.
+ * Nothing where the memory budget had room for none of it. */
+std::optional<Cells::Place> addToMap(
+    State& state,
+    uint32_t number,
+    poses::TimeNs stamp,
+    size_t most_tiles,
+    layers::UpdateStats& stats);
 
 /** Most tiles that a map with these options may have; the slabs have three quarters of the
  * budget. */
