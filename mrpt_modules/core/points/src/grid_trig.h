@@ -2,26 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <traverse/geometry/exact_trig.h>
 
-#include <cmath>
+#include <Eigen/Core>
 
 namespace traverse::points
 {
-/** Rounded to a multiple of 2^-40: sin and cos of different C libraries and processors differ in
- * their last bits, and maps are promised to be the same bytes on all of them. */
-inline double onGrid(double v)
-{
-  constexpr double kGrid = 1099511627776.0;
-  return std::nearbyint(v * kGrid) / kGrid;
-}
-
-/** Unit vector in the sensor frame. */
+/** Unit vector in the sensor frame, with the same bits on every processor; NaN for angles that are
+ * none. */
 inline Eigen::Vector3d beamDirection(double azimuth_rad, double elevation_rad)
 {
-  const double c = std::cos(elevation_rad);
-  return {
-      onGrid(c * std::cos(azimuth_rad)), onGrid(c * std::sin(azimuth_rad)),
-      onGrid(std::sin(elevation_rad))};
+  const geometry::SinCos azimuth = geometry::sinCosOfAny(azimuth_rad);
+  const geometry::SinCos elevation = geometry::sinCosOfAny(elevation_rad);
+  return {elevation.cos * azimuth.cos, elevation.cos * azimuth.sin, elevation.sin};
 }
 }  // namespace traverse::points

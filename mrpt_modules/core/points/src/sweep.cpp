@@ -14,15 +14,14 @@ namespace
 /** Elevation of the row's forward beam in the vehicle frame. */
 double tilt(const Decoded& row)
 {
-  return std::asin(std::clamp(row.image.T_base_sensor.linear()(2, 0), -1.0, 1.0));
+  return geometry::arcSine(std::clamp(row.image.T_base_sensor.linear()(2, 0), -1.0, 1.0));
 }
 
 /** The row's pose without its tilt: what is left of the mount (heading and roll). */
 Eigen::Isometry3d level(const Decoded& row)
 {
   Eigen::Isometry3d T = row.image.T_base_sensor;
-  T.linear() =
-      T.linear() * Eigen::AngleAxisd(tilt(row), Eigen::Vector3d::UnitY()).toRotationMatrix();
+  T.linear() = T.linear() * poses::rotationBy(tilt(row), Eigen::Vector3d::UnitY());
   return T;
 }
 
@@ -45,9 +44,10 @@ void appendBeams(RangeImage& sweep, const RangeImage& row, float time_s)
     const double norm = seen.norm();
     sweep.beam.push_back(row.beam[i]);
     sweep.range_m.push_back(hit ? static_cast<float>(norm) : row.range_m[i]);
-    sweep.azimuth_rad.push_back(static_cast<float>(std::atan2(seen.y(), seen.x())));
+    sweep.azimuth_rad.push_back(static_cast<float>(geometry::angleOf(seen.y(), seen.x())));
     sweep.elevation_rad.push_back(
-        norm > 0 ? static_cast<float>(std::asin(std::clamp(seen.z() / norm, -1.0, 1.0))) : 0.0F);
+        norm > 0 ? static_cast<float>(geometry::arcSine(std::clamp(seen.z() / norm, -1.0, 1.0)))
+                 : 0.0F);
     sweep.time_s.push_back(time_s);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/exact_trig.h>
 #include <traverse/geometry/lattice.h>
 #include <traverse/poses/pose_track.h>
 
@@ -23,6 +24,25 @@ bool isUsable(const Eigen::Isometry3d& T)
          R.determinant() > 0;
 }
 
+/** Angle in [0, pi] and axis of a rotation: what Eigen::AngleAxisd is, without libm. */
+struct Turn
+{
+  double angle_rad = 0;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+};
+
+Turn turnOf(const Eigen::Matrix3d& R)
+{
+  const Eigen::Quaterniond q(R);
+  const double sine = q.vec().stableNorm();
+  if (sine == 0)
+  {
+    return {};
+  }
+  const double sign = q.w() < 0 ? -1 : 1;
+  return {2 * geometry::angleOf(sine, std::abs(q.w())), q.vec() / (sign * sine)};
+}
+
 /** A motion that the vehicle cannot make in the time between the two. */
 bool isJump(const StampedPose& a, const StampedPose& b, const TrackLimits& limits)
 {
@@ -30,7 +50,7 @@ bool isJump(const StampedPose& a, const StampedPose& b, const TrackLimits& limit
   constexpr double kSlackDeg = 2.0;
   const double dt = secondsBetween(a.time, b.time);
   const Eigen::Isometry3d T_a_b = a.T_map_base.inverse() * b.T_map_base;
-  const double turn_deg = Eigen::AngleAxisd(T_a_b.linear()).angle() * 180.0 / std::numbers::pi;
+  const double turn_deg = turnOf(T_a_b.linear()).angle_rad * 180.0 / std::numbers::pi;
   return T_a_b.translation().norm() > limits.max_speed_mps * dt + kSlack_m ||
          turn_deg > std::min(limits.max_turn_dps * dt, 180.0) + kSlackDeg;
 }
@@ -166,24 +186,31 @@ Eigen::Matrix3d originJacobian(const Eigen::Vector3d& turn)
 {
   constexpr double kSmall = 1e-4;  // below, the series' next terms are under 1e-16
   const double a = turn.norm();
-  const double first = a < kSmall ? 0.5 - a * a / 24 : (1 - std::cos(a)) / (a * a);
-  const double second = a < kSmall ? 1.0 / 6 - a * a / 120 : (a - std::sin(a)) / (a * a * a);
+  const geometry::SinCos at = geometry::sinCosOfAny(a);
+  const double first = a < kSmall ? 0.5 - a * a / 24 : (1 - at.cos) / (a * a);
+  const double second = a < kSmall ? 1.0 / 6 - a * a / 120 : (a - at.sin) / (a * a * a);
   Eigen::Matrix3d cross;
   cross << 0, -turn.z(), turn.y(), turn.z(), 0, -turn.x(), -turn.y(), turn.x(), 0;
   return Eigen::Matrix3d::Identity() + first * cross + second * cross * cross;
 }
 }  // namespace
 
+Eigen::Matrix3d rotationBy(double angle_rad, const Eigen::Vector3d& axis)
+{
+  const geometry::SinCos half = geometry::sinCosOfAny(angle_rad / 2);
+  const Eigen::Vector3d v = half.sin * axis;
+  return Eigen::Quaterniond(half.cos, v.x(), v.y(), v.z()).toRotationMatrix();
+}
+
 Eigen::Isometry3d interpolate(
     const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double fraction)
 {
   const Eigen::Isometry3d T_a_b = a.inverse() * b;
-  const Eigen::AngleAxisd rotation(T_a_b.linear());
-  const Eigen::Vector3d turn = rotation.angle() * rotation.axis();
+  const Turn rotation = turnOf(T_a_b.linear());
+  const Eigen::Vector3d turn = rotation.angle_rad * rotation.axis;
   const Eigen::Vector3d velocity = originJacobian(turn).inverse() * T_a_b.translation();
   Eigen::Isometry3d part = Eigen::Isometry3d::Identity();
-  part.linear() =
-      Eigen::AngleAxisd(rotation.angle() * fraction, rotation.axis()).toRotationMatrix();
+  part.linear() = rotationBy(rotation.angle_rad * fraction, rotation.axis);
   part.translation() = originJacobian(turn * fraction) * (velocity * fraction);
   return a * part;
 }

@@ -39,6 +39,17 @@ std::string CTraversabilityGridMap::archive() const
   return traversability_grid::archive(state_, insertionOptions, vehicle);
 }
 
+void CTraversabilityGridMap::mergeArchive(std::string_view bytes)
+{
+  traversability_grid::merge(
+      state_, insertionOptions, vehicle, traversability_grid::fromArchive(bytes));
+}
+
+std::string CTraversabilityGridMap::mergeObstacle() const
+{
+  return traversability_grid::mergeObstacle(insertionOptions);
+}
+
 void CTraversabilityGridMap::setFromArchive(std::string_view bytes)
 {
   traversability_grid::Map map = traversability_grid::fromArchive(bytes);

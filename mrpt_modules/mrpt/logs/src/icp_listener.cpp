@@ -19,6 +19,18 @@ namespace
 using mrpt::obs::CObservation2DRangeScan;
 constexpr double kLevelRad = 0.175;
 
+/** To 1 um and 0.1 urad, far below what ICP can tell: the last bits of MRPT's arithmetic are those
+ * of libm, which differ between processors. */
+mrpt::poses::CPose2D rounded(const mrpt::poses::CPose3D& pose)
+{
+  constexpr double kPerMetre = 1e6;
+  constexpr double kPerRadian = 1e7;
+  return {
+      std::nearbyint(pose.x() * kPerMetre) / kPerMetre,
+      std::nearbyint(pose.y() * kPerMetre) / kPerMetre,
+      std::nearbyint(pose.yaw() * kPerRadian) / kPerRadian};
+}
+
 /** Values that MRPT would abort on, or take for a wall: out. */
 void clean(CObservation2DRangeScan& scan)
 {
@@ -118,7 +130,7 @@ class IcpListener : public FrameListener
     }
     builder_.processObservation(scan);
     const auto pose = builder_.getCurrentPoseEstimation()->getMeanVal();
-    frames().add(poses::StampedPose{*stamp, observations::toIsometry(pose)});
+    frames().add(poses::StampedPose{*stamp, observations::toIsometry(rounded(pose))});
     count(Counted::delivered, type);
   }
 

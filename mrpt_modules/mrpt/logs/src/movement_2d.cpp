@@ -87,7 +87,7 @@ Movement readMovement2D(ObjectArchive& archive, const ObjectHeader& header)
     movement.stamp = observations::toTime(archive.ReadAs<mrpt::Clock::time_point>());
   }
   archive.readEndMark(header);
-  movement.T_before_after = observations::toIsometry(mrpt::poses::CPose3D(step));
+  movement.T_before_after = observations::toIsometry(step);
   return movement;
 }
 }  // namespace traverse::logs

@@ -23,7 +23,7 @@ bool OdometryTrack::add(const mrpt::obs::CObservation& observation)
     return false;
   }
   form_ = Form::observations;
-  pose_ = observations::toIsometry(mrpt::poses::CPose3D(odometry->odometry));
+  pose_ = observations::toIsometry(odometry->odometry);
   ready_ = poses::StampedPose{stamp.value_or(0), pose_};
   return true;
 }

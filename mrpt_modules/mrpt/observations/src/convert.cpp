@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/exact_trig.h>
 #include <traverse/observations/convert.h>
 
 #include <cmath>
@@ -32,6 +33,15 @@ Eigen::Isometry3d toIsometry(const mrpt::poses::CPose3D& pose)
     }
   }
   T.translation() = Eigen::Vector3d(pose.x(), pose.y(), pose.z());
+  return T;
+}
+
+Eigen::Isometry3d toIsometry(const mrpt::poses::CPose2D& pose)
+{
+  const geometry::SinCos at = geometry::sinCosOfAny(pose.phi());
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear().topLeftCorner<2, 2>() << at.cos, -at.sin, at.sin, at.cos;
+  T.translation() = Eigen::Vector3d(pose.x(), pose.y(), 0);
   return T;
 }
 

@@ -7,6 +7,8 @@
 #include <traverse/poses/pose_track.h>
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace traverse::layers
 {
@@ -36,5 +38,17 @@ class ScanConsumer
 
   /** The map as a checked, versioned, deterministic byte string (formats/archive.h). */
   virtual std::string archive() const = 0;
+
+  /** Adds the points of another map of this kind and options, given as its archive(): the result is
+   * the map of both maps' scans, whatever their order, to the last byte of archive().
+   *
+   * All or nothing. Throws formats::FormatError for bytes that are no such archive,
+   * std::invalid_argument for a map of other options, std::length_error beyond the memory budget.
+   */
+  virtual void mergeArchive(std::string_view bytes) = 0;
+
+  /** Why maps of pieces of a log, merged, would not be the map of the whole log (options by which
+   * it forgets): text for the user, which says what to use. Empty where they would. */
+  virtual std::string mergeObstacle() const = 0;
 };
 }  // namespace traverse::layers

@@ -103,8 +103,12 @@ class PoseTrack
   bool constant_ = false;
 };
 
+/** The rotation by an angle about a unit axis, with the same bits on every processor. */
+Eigen::Matrix3d rotationBy(double angle_rad, const Eigen::Vector3d& axis);
+
 /** The pose a fraction of the way from a to b along the constant twist between them (screw motion);
- * fraction 0 gives a, 1 gives b; outside [0, 1] the motion goes on. */
+ * fraction 0 gives a, 1 gives b; outside [0, 1] the motion goes on. The same bits on every
+ * processor. */
 Eigen::Isometry3d interpolate(
     const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double fraction);
 }  // namespace traverse::poses

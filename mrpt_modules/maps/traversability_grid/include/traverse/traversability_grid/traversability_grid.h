@@ -62,6 +62,17 @@ std::string archive(const State& state, const Params& params, const geometry::Ve
  * newer than this program, or contradict themselves. */
 Map fromArchive(std::string_view bytes);
 
+/** Why maps of pieces of a log with these options do not merge to the map of the whole log: they
+ * forget by the order of the scans. Empty where they do. */
+std::string mergeObstacle(const Params& params);
+
+/** Adds another map's sums: afterwards `state` is the map of both maps' points, to the last bit
+ * (archive()), and classified as such.
+ *
+ * All or nothing. Throws std::invalid_argument where the other has other options or another
+ * vehicle, or for mergeObstacle(), and std::length_error beyond max_memory_mb. */
+void merge(State& state, const Params& params, const geometry::Vehicle& vehicle, const Map& other);
+
 /** How points are held against the map; section likelihoodOpts. */
 struct LikelihoodParams
 {

@@ -71,6 +71,8 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
   layers::UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) override;
   layers::LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const override;
   std::string archive() const override;
+  void mergeArchive(std::string_view bytes) override;
+  std::string mergeObstacle() const override;
 
   /** Replaces options, vehicle and cells by those of archive(). Throws formats::FormatError, with
    * the map as it was. */
