@@ -2,27 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/layers/height_slabs.h>
 
-#include <algorithm>
-
 namespace traverse::layers
 {
-void HeightSlab::add(const HeightSlab& other)
-{
-  min_z_mm = n == 0 ? other.min_z_mm : std::min(min_z_mm, other.min_z_mm);
-  max_z_mm = n == 0 ? other.max_z_mm : std::max(max_z_mm, other.max_z_mm);
-  last_seen = n == 0 ? other.last_seen : std::max(last_seen, other.last_seen);
-  n += other.n;
-  x += other.x;
-  y += other.y;
-  z += other.z;
-  xx += other.xx;
-  xy += other.xy;
-  yy += other.yy;
-  xz += other.xz;
-  yz += other.yz;
-  zz += other.zz;
-}
-
 HeightSlab* HeightSlabs::obtain(int32_t& head, int32_t level)
 {
   int32_t* link = &head;

@@ -13,40 +13,16 @@ uint32_t addSlab(
   slab.cell = cell;
   slab.level = level;
   slab.next = next;
-  slab.min_z_mm = std::numeric_limits<uint16_t>::max();
   return static_cast<uint32_t>(slabs.size() - 1);
 }
 }  // namespace
 
-layers::HeightSlab ScanSlab::sums(poses::TimeNs stamp) const
-{
-  layers::HeightSlab slab;
-  slab.level = level;
-  slab.n = n;
-  slab.min_z_mm = min_z_mm;
-  slab.max_z_mm = max_z_mm;
-  slab.last_seen = stamp;
-  slab.x = x;
-  slab.y = y;
-  slab.z = z;
-  slab.xx = xx;
-  slab.xy = xy;
-  slab.yy = yy;
-  slab.xz = xz;
-  slab.yz = yz;
-  slab.zz = zz;
-  return slab;
-}
-
 void ScanCells::begin(const geometry::CellRect& window, const Limits& most, size_t points)
 {
-  if (blocks_.empty())
-  {
-    blocks_.emplace_back().fill(kNone);
-  }
+  numbers_.resize(std::max<size_t>(numbers_.size(), kBlock), kNone);
   for (const ScanSlab& slab : cells_)
   {
-    entryOf(slab.cell) = kNone;
+    numbers_[entryOf(slab.cell)] = kNone;
   }
   for (const size_t tile : tiles_)
   {
@@ -79,46 +55,58 @@ void ScanCells::add(const LatticePoints& points)
       continue;
     }
     ScanSlab& first = cells_[number];
-    const bool is_first = first.level == points.level[i] && first.n < most_.slab_points;
+    const bool is_first = first.level == points.level[i] && first.n() < most_.slab_points;
     ScanSlab& slab = is_first ? first : otherSlab(number, points.level[i]);
     slab.add(
-        static_cast<uint32_t>(points.x_mm[i]), static_cast<uint32_t>(points.y_mm[i]),
-        static_cast<uint32_t>(points.z_mm[i]));
+        static_cast<uint64_t>(points.x_mm[i]), static_cast<uint64_t>(points.y_mm[i]),
+        static_cast<uint64_t>(points.z_mm[i]));
   }
 }
 
-/** Makes the cell where the scan meets it for the first time; kNone where it would need a tile too
- * many. */
-inline uint32_t ScanCells::numberAt(int32_t column, int32_t row, int32_t level)
+/** Where the cell has its number, counted from the window's corner; 0 where a point is left out, as
+ * those that would need a tile too many. */
+inline uint32_t ScanCells::findEntry(int32_t column, int32_t row)
 {
-  const Position p = positionOf(column, row);
-  if (directory_[p.tile] == 0 && !makeBlock(p.tile))
+  if (column < 0)
   {
-    return kNone;
+    return 0;
   }
-  uint32_t& entry = blocks_[directory_[p.tile]][p.offset];
-  if (entry == kNone)
+  const size_t tile = tileOf(column + shift_.x, row + shift_.y);
+  if (directory_[tile] == 0 && !makeBlock(tile))
   {
-    entry = addSlab(cells_, {origin_.x + column, origin_.y + row}, level, kNone);
+    ++refused_;
+    return 0;
   }
-  return entry;
+  return entryOf(directory_[tile], column + shift_.x, row + shift_.y);
 }
 
-/** Ahead of the sums, so that their cache lines are on the way when they are needed. */
+/** In steps of their own, so that each finds what it needs on its way from memory: where the
+ * points' cells have their numbers, the numbers, then (add()) the sums. */
 void ScanCells::number(const LatticePoints& points)
 {
-  const size_t before = of_points_.size();
-  of_points_.resize(before + points.size);
+  std::array<uint32_t, LatticePoints::kMost> entries;
   for (size_t i = 0; i < points.size; ++i)
   {
-    uint32_t number = kNone;
-    if (points.column[i] >= 0)
+    entries[i] = findEntry(points.column[i], points.row[i]);
+    __builtin_prefetch(numbers_.data() + entries[i], 1);
+  }
+  const size_t before = of_points_.size();
+  of_points_.resize(before + points.size, kNone);
+  for (size_t i = 0; i < points.size; ++i)
+  {
+    if (entries[i] == 0)
     {
-      number = numberAt(points.column[i] + shift_.x, points.row[i] + shift_.y, points.level[i]);
-      refused_ += static_cast<uint64_t>(number == kNone);
+      continue;
+    }
+    uint32_t& number = numbers_[entries[i]];
+    if (number == kNone)
+    {
+      const geometry::CellIndex corner{origin_.x + shift_.x, origin_.y + shift_.y};
+      number = addSlab(
+          cells_, {corner.x + points.column[i], corner.y + points.row[i]}, points.level[i], kNone);
     }
     of_points_[before + i] = number;
-    __builtin_prefetch(cells_.data() + number, 1);
+    __builtin_prefetch(&cells_[number], 1);
   }
 }
 
@@ -130,17 +118,15 @@ bool ScanCells::makeBlock(size_t tile)
   }
   tiles_.push_back(tile);
   directory_[tile] = static_cast<uint32_t>(tiles_.size());
-  if (blocks_.size() == tiles_.size())
-  {
-    blocks_.emplace_back().fill(kNone);
-  }
+  numbers_.resize(std::max(numbers_.size(), (tiles_.size() + 1) * kBlock), kNone);
   return true;
 }
 
-uint32_t& ScanCells::entryOf(geometry::CellIndex cell)
+uint32_t ScanCells::entryOf(geometry::CellIndex cell) const
 {
-  const Position p = positionOf(cell.x - origin_.x, cell.y - origin_.y);
-  return blocks_[directory_[p.tile]][p.offset];
+  const int32_t column = cell.x - origin_.x;
+  const int32_t row = cell.y - origin_.y;
+  return entryOf(directory_[tileOf(column, row)], column, row);
 }
 
 /** A slab of that level with room, beyond the cell's first. */
@@ -149,7 +135,7 @@ ScanSlab& ScanCells::otherSlab(uint32_t number, int32_t level)
   ScanSlab& first = cells_[number];
   for (uint32_t i = first.next; i != kNone; i = more_[i].next)
   {
-    if (more_[i].level == level && more_[i].n < most_.slab_points)
+    if (more_[i].level == level && more_[i].n() < most_.slab_points)
     {
       return more_[i];
     }
@@ -165,7 +151,7 @@ void ScanCells::remove(const std::vector<bool>& is_gone)
   for (size_t i = 0; i < cells_.size(); ++i)
   {
     now[i] = is_gone[i] ? kNone : kept;
-    entryOf(cells_[i].cell) = now[i];
+    numbers_[entryOf(cells_[i].cell)] = now[i];
     cells_[kept] = cells_[i];
     kept += is_gone[i] ? 0 : 1;
   }

@@ -26,6 +26,60 @@ void clearCell(State& state, Cells::Place place)
   }
   cell = Cell{};
 }
+
+/** Where the scan's cells are stored; those that find no tile leave the scan's. */
+void obtainPlaces(State& state, size_t most_tiles, layers::UpdateStats& stats)
+{
+  std::vector<bool> is_refused;
+  state.touched.clear();
+  for (uint32_t number = 0; number < state.scan.size(); ++number)
+  {
+    const auto place = state.cells.obtain(state.scan.cell(number), most_tiles);
+    if (place)
+    {
+      state.touched.push_back(*place);
+      continue;
+    }
+    is_refused.resize(state.scan.size());
+    is_refused[number] = true;
+    state.scan.forEachSlab(number, [&](const ScanSlab& s) { stats.over_budget += s.n(); });
+  }
+  if (!is_refused.empty())
+  {
+    state.scan.remove(is_refused);
+  }
+}
+
+/** False where there was room for none of them. */
+bool addSums(
+    State& state, uint32_t number, Cell& cell, poses::TimeNs stamp, layers::UpdateStats& stats)
+{
+  const bool is_new = cell.slabs == layers::HeightSlabs::kNone;
+  uint64_t added = 0;
+  state.scan.forEachSlab(
+      number,
+      [&](const ScanSlab& points)
+      {
+        layers::HeightSlab* slab = state.slabs.obtain(cell.slabs, points.level);
+        if (slab == nullptr || points.n() > layers::HeightSlab::kMostPoints - slab->n)
+        {
+          stats.over_budget += points.n();
+          return;
+        }
+        slab->add(points.sums(stamp));
+        added += points.n();
+      });
+  stats.points += added;
+  state.occupied += static_cast<size_t>(is_new && added > 0);
+  return added > 0;
+}
+
+void leaveOut(State& state, const std::vector<bool>& is_gone)
+{
+  state.scan.remove(is_gone);
+  size_t i = 0;
+  std::erase_if(state.touched, [&](const Cells::Place&) { return is_gone[i++]; });
+}
 }  // namespace
 
 ClassRule classRule(const Params& params, const geometry::Vehicle& vehicle)
@@ -74,34 +128,24 @@ SlabReading slabReading(const State& state, const Params& params, const geometry
   return {state.slab_mm, millimetres(vehicle.height_m), params.ignore_overhangs};
 }
 
-std::optional<Cells::Place> addToMap(
-    State& state,
-    uint32_t number,
-    poses::TimeNs stamp,
-    size_t most_tiles,
-    layers::UpdateStats& stats)
+void addToMap(State& state, poses::TimeNs stamp, size_t most_tiles, layers::UpdateStats& stats)
 {
-  const std::optional<Cells::Place> place = state.cells.obtain(state.scan.cell(number), most_tiles);
-  Cell nowhere;
-  Cell& cell = place ? state.cells.at(*place) : nowhere;
-  const bool is_new = cell.slabs == layers::HeightSlabs::kNone;
-  uint64_t added = 0;
-  state.scan.forEachSlab(
-      number,
-      [&](const ScanSlab& points)
+  obtainPlaces(state, most_tiles, stats);
+  std::vector<bool> is_refused;
+  forEachTouched(
+      state,
+      [&](uint32_t number, Cell& cell)
       {
-        layers::HeightSlab* slab = place ? state.slabs.obtain(cell.slabs, points.level) : nullptr;
-        if (slab == nullptr || points.n > layers::HeightSlab::kMostPoints - slab->n)
+        if (!addSums(state, number, cell, stamp, stats))
         {
-          stats.over_budget += points.n;
-          return;
+          is_refused.resize(state.touched.size());
+          is_refused[number] = true;
         }
-        slab->add(points.sums(stamp));
-        added += points.n;
       });
-  stats.points += added;
-  state.occupied += static_cast<size_t>(is_new && added > 0);
-  return added > 0 ? place : std::nullopt;
+  if (!is_refused.empty())
+  {
+    leaveOut(state, is_refused);
+  }
 }
 
 void clearCells(State& state)

@@ -67,33 +67,6 @@ void collect(
   stats.over_budget += state.scan.refused();
 }
 
-/** Step 3's other half: the sums of the scan's cells to those of the map, and where they are. */
-void addToMap(State& state, poses::TimeNs stamp, const Params& params, layers::UpdateStats& stats)
-{
-  const size_t most_tiles = mostTiles(params);
-  std::vector<bool> is_refused;
-  state.touched.clear();
-  for (uint32_t number = 0; number < state.scan.size(); ++number)
-  {
-    const std::optional<Cells::Place> place = addToMap(state, number, stamp, most_tiles, stats);
-    if (place)
-    {
-      state.touched.push_back(*place);
-    }
-    else
-    {
-      is_refused.resize(state.scan.size());
-      is_refused[number] = true;
-    }
-  }
-  if (!is_refused.empty())
-  {
-    state.scan.remove(is_refused);
-  }
-  stats.touched_cells = state.touched.size();
-  stats.inserted = stats.points > 0;
-}
-
 void rememberRobot(State& state, poses::TimeNs stamp, const Eigen::Isometry3d& T_map_base)
 {
   if (!state.robot || stamp >= state.robot->time)
@@ -125,19 +98,22 @@ layers::UpdateStats update(
     return stats;
   }
   makeRoom(state, projection->neighbourhood(), params);
-  addToMap(state, scan.stamp, params, stats);
+  addToMap(state, scan.stamp, mostTiles(params), stats);
+  stats.touched_cells = state.touched.size();
+  stats.inserted = stats.points > 0;
   rememberRobot(state, scan.stamp, T_map_base);
 
   const Classifier classify(params);
   const SlabReading reading = slabReading(state, params, vehicle);
-  for (const Cells::Place place : state.touched)
-  {
-    Cell& cell = state.cells.at(place);
-    const Features features =
-        featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);  // step 4
-    cell.of = classify(features);                                       // step 5
-    cell.index = indexOf(cell.of, params);                              // step 6
-  }
+  forEachTouched(
+      state,
+      [&](uint32_t /*number*/, Cell& cell)
+      {
+        const Features features =
+            featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);  // step 4
+        cell.of = classify(features);                                       // step 5
+        cell.index = indexOf(cell.of, params);                              // step 6
+      });
   return stats;
 }
 }  // namespace traverse::traversability_grid

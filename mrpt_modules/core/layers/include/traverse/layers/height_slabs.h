@@ -70,6 +70,17 @@ class HeightSlabs
   /** nullptr for kNone. */
   const HeightSlab* get(int32_t slab) const { return slab == kNone ? nullptr : &at(slab); }
 
+  /** Sends for a slab that will be needed soon; nothing for kNone. */
+  void prefetch(int32_t slab) const
+  {
+    if (slab != kNone)
+    {
+      const HeightSlab* s = &at(slab);
+      __builtin_prefetch(s);
+      __builtin_prefetch(&s->zz);
+    }
+  }
+
   /** Slabs in use. */
   size_t size() const { return used_; }
 
@@ -115,5 +126,22 @@ inline void HeightSlab::add(PointInSlab p, poses::TimeNs stamp)
   xz += px * pz;
   yz += py * pz;
   zz += pz * pz;
+}
+
+inline void HeightSlab::add(const HeightSlab& other)
+{
+  min_z_mm = n == 0 || other.min_z_mm < min_z_mm ? other.min_z_mm : min_z_mm;
+  max_z_mm = n == 0 || other.max_z_mm > max_z_mm ? other.max_z_mm : max_z_mm;
+  last_seen = n == 0 || other.last_seen > last_seen ? other.last_seen : last_seen;
+  n += other.n;
+  x += other.x;
+  y += other.y;
+  z += other.z;
+  xx += other.xx;
+  xy += other.xy;
+  yy += other.yy;
+  xz += other.xz;
+  yz += other.yz;
+  zz += other.zz;
 }
 }  // namespace traverse::layers

@@ -16,18 +16,39 @@
 
 namespace traverse::traversability_grid
 {
-/** Sums of one scan's points in one height slab of one cell: layers::HeightSlab in 32 bits, a
- * single cache line. */
+/** Two sums of 32 bits that are added to at once. A product of a number and a pair is the pair of
+ * the products, as long as these fit. */
+using SumPair = uint64_t;
+
+constexpr SumPair pairOf(uint64_t low, uint64_t high)
+{
+  return low | (high << 32U);
+}
+
+constexpr int64_t lowOf(SumPair pair)
+{
+  return static_cast<int64_t>(pair & 0xFFFFFFFFU);
+}
+
+constexpr int64_t highOf(SumPair pair)
+{
+  return static_cast<int64_t>(pair >> 32U);
+}
+
+/** Sums of one scan's points in one height slab of one cell: layers::HeightSlab in a single cache
+ * line. */
 struct alignas(64) ScanSlab
 {
+  SumPair x_y = 0;
+  SumPair z_n = 0;
+  SumPair xx_xy = 0;
+  SumPair yy_yz = 0;
+  SumPair zz_xz = 0;
   geometry::CellIndex cell;
   int32_t level = 0;
-  uint32_t next = 0;  //!< the cell's next slab in ScanCells::more(), or kNone
-  uint32_t n = 0;
-  uint16_t min_z_mm = 0;
+  uint32_t next = 0;  //!< the cell's next slab beyond its first one, or ScanCells::kNone
+  uint16_t min_z_mm = std::numeric_limits<uint16_t>::max();
   uint16_t max_z_mm = 0;
-  uint32_t x = 0, y = 0, z = 0;
-  uint32_t xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
 
   /** Most points whose sums fit. */
   static uint32_t mostPoints(int32_t cell_mm, int32_t slab_mm)
@@ -36,23 +57,25 @@ struct alignas(64) ScanSlab
     return static_cast<uint32_t>(std::numeric_limits<uint32_t>::max() / (side * side));
   }
 
-  void add(uint32_t x_mm, uint32_t y_mm, uint32_t z_mm)
+  uint32_t n() const { return static_cast<uint32_t>(highOf(z_n)); }
+
+  void add(uint64_t x_mm, uint64_t y_mm, uint64_t z_mm)
   {
+    x_y += pairOf(x_mm, y_mm);
+    z_n += pairOf(z_mm, 1);
+    xx_xy += x_mm * pairOf(x_mm, y_mm);
+    yy_yz += y_mm * pairOf(y_mm, z_mm);
+    zz_xz += z_mm * pairOf(z_mm, x_mm);
     min_z_mm = std::min(min_z_mm, static_cast<uint16_t>(z_mm));
     max_z_mm = std::max(max_z_mm, static_cast<uint16_t>(z_mm));
-    ++n;
-    x += x_mm;
-    y += y_mm;
-    z += z_mm;
-    xx += x_mm * x_mm;
-    xy += x_mm * y_mm;
-    yy += y_mm * y_mm;
-    xz += x_mm * z_mm;
-    yz += y_mm * z_mm;
-    zz += z_mm * z_mm;
   }
 
-  layers::HeightSlab sums(poses::TimeNs stamp) const;
+  layers::HeightSlab sums(poses::TimeNs stamp) const
+  {
+    return {level,         -1,           n(),           min_z_mm,      max_z_mm,
+            stamp,         lowOf(x_y),   highOf(x_y),   lowOf(z_n),    lowOf(xx_xy),
+            highOf(xx_xy), lowOf(yy_yz), highOf(zz_xz), highOf(yy_yz), lowOf(zz_xz)};
+  }
 };
 
 static_assert(sizeof(ScanSlab) == 64);
@@ -93,10 +116,11 @@ class ScanCells
   /** The cell's number; kNone where the scan did not touch it. */
   uint32_t numberOf(geometry::CellIndex cell) const
   {
-    const Position p = positionOf(cell.x - origin_.x, cell.y - origin_.y);
-    const bool is_known = cell.x >= origin_.x && cell.y >= origin_.y &&
-                          cell.x - origin_.x < columns_ && cell.y - origin_.y < rows_;
-    return is_known ? blocks_[directory_[p.tile]][p.offset] : kNone;
+    const int32_t column = cell.x - origin_.x;
+    const int32_t row = cell.y - origin_.y;
+    const bool is_known =
+        cell.x >= origin_.x && cell.y >= origin_.y && column < columns_ && row < rows_;
+    return is_known ? numbers_[entryOf(directory_[tileOf(column, row)], column, row)] : kNone;
   }
 
   /** For each point of the scan, in its order, the number of its cell; kNone where it is in none.
@@ -118,28 +142,25 @@ class ScanCells
  private:
   static constexpr int32_t kShift = 5;
   static constexpr int32_t kSide = 1 << kShift;
-  using Block = std::array<uint32_t, static_cast<size_t>(kSide) * kSide>;
-
-  struct Position
-  {
-    size_t tile = 0;
-    size_t offset = 0;
-  };
+  static constexpr uint32_t kBlock = kSide * kSide;
 
   /** Of a cell counted from origin_. */
-  Position positionOf(int32_t column, int32_t row) const
+  size_t tileOf(int32_t column, int32_t row) const
   {
-    const int32_t in_tile = ((row & (kSide - 1)) << kShift) | (column & (kSide - 1));
-    return {
-        static_cast<size_t>(row >> kShift) * static_cast<size_t>(columns_ >> kShift) +
-            static_cast<size_t>(column >> kShift),
-        static_cast<size_t>(in_tile)};
+    return static_cast<size_t>(row >> kShift) * static_cast<size_t>(columns_ >> kShift) +
+           static_cast<size_t>(column >> kShift);
   }
 
-  void number(const LatticePoints& points);
-  uint32_t numberAt(int32_t column, int32_t row, int32_t level);
+  static uint32_t entryOf(uint32_t block, int32_t column, int32_t row)
+  {
+    const int32_t in_tile = ((row & (kSide - 1)) << kShift) | (column & (kSide - 1));
+    return block * kBlock + static_cast<uint32_t>(in_tile);
+  }
+
+  uint32_t entryOf(geometry::CellIndex cell) const;
+  uint32_t findEntry(int32_t column, int32_t row);
   bool makeBlock(size_t tile);
-  uint32_t& entryOf(geometry::CellIndex cell);
+  void number(const LatticePoints& points);
   ScanSlab& otherSlab(uint32_t number, int32_t level);
 
   geometry::CellIndex origin_;      // on a tile's corner
@@ -149,7 +170,7 @@ class ScanCells
   uint64_t refused_ = 0;
   std::vector<uint32_t> directory_;  // block of each tile of the window; 0: none of its cells
   std::vector<size_t> tiles_;        // that have one
-  std::vector<Block> blocks_;        // numbers of cells; the first stays without any
+  std::vector<uint32_t> numbers_;    // of the cells, in blocks; the first block stays without any
   std::vector<ScanSlab> cells_;      // by number; each is the first slab of its cell
   std::vector<ScanSlab> more_;
   std::vector<uint32_t> of_points_;

@@ -61,14 +61,27 @@ struct State
 /** An empty map. Throws OptionError for Params or Vehicle that check() refuses. */
 State makeState(const Params& params, const geometry::Vehicle& vehicle);
 
-/** Adds the sums of the last scan in one of its cells; what was added or refused is counted.
- * Nothing where the memory budget had room for none of it. */
-std::optional<Cells::Place> addToMap(
-    State& state,
-    uint32_t number,
-    poses::TimeNs stamp,
-    size_t most_tiles,
-    layers::UpdateStats& stats);
+/** Step 3's second half: adds the sums of the last scan's cells to the map and notes where they
+ * are. What the memory budget has no room for is counted, and its cells leave the scan's. */
+void addToMap(State& state, poses::TimeNs stamp, size_t most_tiles, layers::UpdateStats& stats);
+
+/** Calls f(number, Cell&) for the cells of the last scan, in order, while the next ones are on
+ * their way from memory. */
+template <class F>
+void forEachTouched(State& state, F&& f)
+{
+  constexpr size_t kAhead = 8;
+  const std::vector<Cells::Place>& touched = state.touched;
+  for (size_t i = 0; i < touched.size(); ++i)
+  {
+    if (i + 2 * kAhead < touched.size())
+    {
+      __builtin_prefetch(&state.cells.at(touched[i + 2 * kAhead]), 1);
+      state.slabs.prefetch(state.cells.at(touched[i + kAhead]).slabs);
+    }
+    f(static_cast<uint32_t>(i), state.cells.at(touched[i]));
+  }
+}
 
 /** Most tiles that a map with these options may have; the slabs have three quarters of the
  * budget. */
