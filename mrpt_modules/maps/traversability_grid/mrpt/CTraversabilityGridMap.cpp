@@ -3,6 +3,7 @@
 #include <traverse/maps/CTraversabilityGridMap.h>
 #include <traverse/observations/convert.h>
 #include <traverse/observations/to_scan.h>
+#include <traverse/traversability_grid/point_labels.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -27,6 +28,23 @@ layers::UpdateStats CTraversabilityGridMap::insertScan(
     return skipped;
   }
   return traversability_grid::update(state_, scan, pose->T_map_base, insertionOptions, vehicle);
+}
+
+std::vector<uint32_t> CTraversabilityGridMap::pointLabels(
+    const points::Scan& scan, const poses::PoseTrack& track) const
+{
+  const std::optional<poses::TrackedPose> pose = track.at(scan.stamp);
+  if (!pose)
+  {
+    return std::vector<uint32_t>(scan.size(), 0);
+  }
+  std::vector<uint32_t> labels;
+  for (const auto label :
+       traversability_grid::labelsOfLastScan(state_, scan, pose->T_map_base, insertionOptions))
+  {
+    labels.push_back(static_cast<uint32_t>(label));
+  }
+  return labels;
 }
 
 layers::LayerSet CTraversabilityGridMap::layerSet(std::optional<geometry::CellRect> window) const

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "archive_parts.h"
+
 #include <traverse/formats/archive.h>
 #include <traverse/formats/option_bytes.h>
 #include <traverse/traversability_grid/traversability_grid.h>
@@ -13,20 +15,22 @@ namespace
 using formats::ByteReader;
 using formats::ByteWriter;
 
-constexpr size_t kSlabBytes = 4 + 4 + 2 + 2 + 8 + 9 * 8;
+constexpr int64_t kMostNoise = 100'000'000;  // of one point: see ScanSource
+constexpr size_t kSlabBytes = 4 + 4 + 2 + 2 + 8 + 10 * 8 + 4;
 constexpr size_t kLeastCellBytes = 4 + 4 + 4 + kSlabBytes;
 
-void writeSlab(ByteWriter& out, const layers::HeightSlab& s)
+void writeSlab(ByteWriter& out, const layers::HeightSlab& s, const SensorOrder& sensors)
 {
   out.i32(s.level);
   out.u32(s.n);
   out.u16(s.min_z_mm);
   out.u16(s.max_z_mm);
   out.i64(s.last_seen);
-  for (const int64_t sum : {s.x, s.y, s.z, s.xx, s.xy, s.yy, s.xz, s.yz, s.zz})
+  for (const int64_t sum : {s.x, s.y, s.z, s.xx, s.xy, s.yy, s.xz, s.yz, s.zz, s.noise})
   {
     out.i64(sum);
   }
+  out.u32(sensors.archived(s.seen_by));
 }
 
 layers::HeightSlab readSlab(ByteReader& in)
@@ -37,10 +41,11 @@ layers::HeightSlab readSlab(ByteReader& in)
   s.min_z_mm = in.u16();
   s.max_z_mm = in.u16();
   s.last_seen = in.i64();
-  for (int64_t* sum : {&s.x, &s.y, &s.z, &s.xx, &s.xy, &s.yy, &s.xz, &s.yz, &s.zz})
+  for (int64_t* sum : {&s.x, &s.y, &s.z, &s.xx, &s.xy, &s.yy, &s.xz, &s.yz, &s.zz, &s.noise})
   {
     *sum = in.i64();
   }
+  s.seen_by = in.u32();
   return s;
 }
 
@@ -65,11 +70,13 @@ bool isPossible(const layers::HeightSlab& s, int64_t cell_mm, int64_t slab_mm)
   return n > 0 && low <= high && high < slab_mm && s.z >= n * low && s.z <= n * high &&
          canBeSums(n, s.x, s.xx, side) && canBeSums(n, s.y, s.yy, side) &&
          canBeSums(n, s.z, s.zz, high) && canBeProducts(n, s.xy, side, side) &&
-         canBeProducts(n, s.xz, side, high) && canBeProducts(n, s.yz, side, high);
+         canBeProducts(n, s.xz, side, high) && canBeProducts(n, s.yz, side, high) &&
+         canBeProducts(n, s.noise, 1, kMostNoise);
 }
 
 std::string cellBytes(const State& state)
 {
+  const SensorOrder sensors(state.sensors);
   ByteWriter out;
   out.u64(state.occupied);
   state.cells.forEach(
@@ -92,7 +99,7 @@ std::string cellBytes(const State& state)
         out.u32(count);
         for (const auto* s = lowest; s != nullptr; s = state.slabs.get(s->next))
         {
-          writeSlab(out, *s);
+          writeSlab(out, *s, sensors);
         }
       });
   return out.take();
@@ -199,6 +206,8 @@ std::string archive(const State& state, const Params& params, const geometry::Ve
   writer.section("OPTS", formats::optionBytes(params));
   writer.section("VEHI", formats::optionBytes(vehicle));
   writer.section("GRID", gridBytes(state));
+  writer.section("SENS", sensorBytes(state.sensors));
+  writer.section("DRIV", drivenBytes(state.driven));
   writer.section("CELL", cellBytes(state));
   return writer.finish();
 }
@@ -213,6 +222,8 @@ Map fromArchive(std::string_view bytes)
     map.vehicle = formats::readOptionBytes<geometry::Vehicle>(reader.reader("VEHI"));
     map.state = makeState(map.params, map.vehicle);
     readGrid(reader.reader("GRID"), map.state);
+    readSensors(reader.reader("SENS"), map.state.sensors);
+    readDriven(reader.reader("DRIV"), map.state.driven);
     readCells(reader.reader("CELL"), map.state, map.params);
     reclassify(map.state, map.params, map.vehicle);
     return map;

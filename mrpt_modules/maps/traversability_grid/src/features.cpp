@@ -4,6 +4,7 @@
 #include <traverse/traversability_grid/features.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,6 +15,7 @@ namespace
 {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMmPerM = geometry::kMillimetresPerMetre;
+constexpr double kNoisePerM2 = 1e8;  // HeightSlab::noise is in (0.1 mm)^2
 
 /** Below this share of the horizontal scatter's square its determinant is that of a line: points a
  * millimetre off a line across a cell of 0.2 m have 1e-5. */
@@ -26,6 +28,7 @@ struct Sums
   double n = 0;
   double x = 0, y = 0, z = 0;
   double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
+  double noise = 0;
 
   void add(const layers::HeightSlab& s, double lift_mm)
   {
@@ -43,11 +46,12 @@ struct Sums
     xz += static_cast<double>(s.xz) + sx * lift_mm;
     yz += static_cast<double>(s.yz) + sy * lift_mm;
     zz += static_cast<double>(s.zz) + 2 * lift_mm * sz + m * lift_mm * lift_mm;
+    noise += static_cast<double>(s.noise);
   }
 };
 
 /** Normal equations of (3) about the centre, times n: whole numbers too. */
-void fitPlane(const Sums& s, double base_mm, Features& f)
+void fitPlane(const Sums& s, double base_mm, double thin_mm, Features& f)
 {
   const double cxx = s.n * s.xx - s.x * s.x;
   const double cxy = s.n * s.xy - s.x * s.y;
@@ -56,11 +60,29 @@ void fitPlane(const Sums& s, double base_mm, Features& f)
   const double cyz = s.n * s.yz - s.y * s.z;
   const double determinant = cxx * cyy - cxy * cxy;
   const double scatter = cxx + cyy;
-  f.has_plane = determinant > kSingular * scatter * scatter;
-  if (f.has_plane)
+  const double thin = s.n * s.n * thin_mm * thin_mm;
+  // The smaller eigenvalue is below `thin`: one of both, and the product of what they exceed it by.
+  const bool is_thin =
+      thin > 0 && (scatter <= 2 * thin || (cxx - thin) * (cyy - thin) <= cxy * cxy);
+  f.has_plane = is_thin ? scatter > thin : determinant > kSingular * scatter * scatter;
+  if (is_thin && f.has_plane)
+  {
+    const double half = (cxx - cyy) / 2;
+    const double largest = scatter / 2 + std::sqrt(half * half + cxy * cxy);
+    // The direction of the larger eigenvalue, from the row of the matrix that is not near zero.
+    const double ux = cxx >= cyy ? largest - cyy : cxy;
+    const double uy = cxx >= cyy ? cxy : largest - cxx;
+    const double along = (ux * cxz + uy * cyz) / (largest * (ux * ux + uy * uy));
+    f.slope_x = along * ux;
+    f.slope_y = along * uy;
+  }
+  else if (f.has_plane)
   {
     f.slope_x = (cxz * cyy - cyz * cxy) / determinant;
     f.slope_y = (cyz * cxx - cxz * cxy) / determinant;
+  }
+  if (f.has_plane)
+  {
     f.at_corner_m = (base_mm + (s.z - f.slope_x * s.x - f.slope_y * s.y) / s.n) / kMmPerM;
   }
 }
@@ -72,6 +94,28 @@ double tan2(double degrees)
   constexpr double kRoom = 1 + 1e-12;
   const double tangent = std::tan(degrees / kDegrees);
   return degrees >= 90 ? std::numeric_limits<double>::infinity() : kRoom * tangent * tangent;
+}
+
+/** How far the farthest of n points lies from their mean by noise alone, in standard deviations:
+ * what the largest of n normal deviates is on average, 1.2 to 4 for 3 to 8192 (to 0.25, by trial;
+ * no logarithm, whose last bit differs between processors). */
+double noiseSpan(uint64_t n)
+{
+  return std::sqrt(1.2 * static_cast<double>(std::bit_width(n) - 1));
+}
+
+/** The first slab that counts: the lowest, or, where a higher one reaches above the floor, that. */
+const layers::HeightSlab* fromFloor(
+    const layers::HeightSlabs& slabs, const layers::HeightSlab* lowest, const SlabReading& reading)
+{
+  for (const auto* s = lowest; s != nullptr; s = slabs.get(s->next))
+  {
+    if (int64_t{s->level} * reading.slab_mm + s->max_z_mm >= reading.floor_mm)
+    {
+      return s;
+    }
+  }
+  return lowest;
 }
 }  // namespace
 
@@ -85,6 +129,7 @@ Features featuresOf(
     const layers::HeightSlabs& slabs, const layers::HeightSlab* lowest, const SlabReading& reading)
 {
   Features f;
+  lowest = fromFloor(slabs, lowest, reading);
   if (lowest == nullptr)
   {
     return f;
@@ -117,12 +162,13 @@ Features featuresOf(
   f.max_m = static_cast<double>(top_mm) / kMmPerM;
   f.deviation_m = std::max(up, down) / n / kMmPerM;                        // (2)
   f.variance_m2 = std::max(0.0, squares) / (n * n) / (kMmPerM * kMmPerM);  // (5)
-  fitPlane(sums, base, f);                                                 // (3)
+  f.noise_m2 = sums.noise / n / kNoisePerM2;
+  fitPlane(sums, base, reading.thin_mm, f);  // (3)
   return f;
 }
 
 Classifier::Classifier(const Params& params) :
-    min_points_(static_cast<uint64_t>(params.min_points)), limits_()
+    kind_(params.classifier), min_points_(static_cast<uint64_t>(params.min_points)), limits_()
 {
   const std::array<ClassLimits, 3> given = {
       params.flat, params.small_roughness, params.large_roughness};
@@ -151,6 +197,13 @@ Class Classifier::operator()(const Features& f) const
   if (f.n < min_points_)
   {
     return Class::undefined;
+  }
+  if (kind_ == ClassifierKind::standard)
+  {
+    const double noise = std::sqrt(f.noise_m2);
+    return worstOf(
+        f.deviation_m - noiseSpan(f.n) * noise, f.variance_m2 - f.noise_m2,
+        f.has_plane ? f.tan2Slope() : 0);
   }
   if (f.has_plane)
   {

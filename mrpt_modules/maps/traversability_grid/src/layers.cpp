@@ -25,25 +25,6 @@ int64_t cellsOf(const geometry::CellRect& rect)
   return width > kMostLayerCells || height > kMostLayerCells ? kMostLayerCells + 1 : width * height;
 }
 
-geometry::CellRect occupiedRect(const State& state)
-{
-  constexpr int32_t kLow = std::numeric_limits<int32_t>::min();
-  constexpr int32_t kHigh = std::numeric_limits<int32_t>::max();
-  geometry::CellRect rect{{kHigh, kHigh}, {kLow, kLow}};
-  state.cells.forEach(
-      [&](Cells::Place place)
-      {
-        if (state.cells.at(place).slabs == layers::HeightSlabs::kNone)
-        {
-          return;
-        }
-        const geometry::CellIndex c = state.cells.indexOf(place);
-        rect.min = {std::min(rect.min.x, c.x), std::min(rect.min.y, c.y)};
-        rect.max = {std::max(rect.max.x, c.x + 1), std::max(rect.max.y, c.y + 1)};
-      });
-  return state.empty() ? geometry::CellRect{} : rect;
-}
-
 std::vector<layers::LegendEntry> legend()
 {
   return {
@@ -67,15 +48,17 @@ class Filler
       variance_(size, kNan),
       min_(size, kNan),
       max_(size, kNan),
+      ground_(size, kNan),
       count_(size, 0),
       last_(size, kNanDouble)
   {
   }
 
-  void put(size_t i, Class of, uint8_t index, const Features& f)
+  void put(size_t i, const Cell& cell, const Features& f)
   {
-    of_[i] = static_cast<uint8_t>(of);
-    index_[i] = index == kNoIndex ? kNan : static_cast<float>(index);
+    of_[i] = static_cast<uint8_t>(cell.of);
+    index_[i] = cell.index == kNoIndex ? kNan : static_cast<float>(cell.index);
+    ground_[i] = cell.ground_m;
     mean_[i] = static_cast<float>(f.mean_m);
     deviation_[i] = static_cast<float>(f.deviation_m);
     slope_[i] = static_cast<float>(f.slope_deg());
@@ -99,16 +82,35 @@ class Filler
     all.push_back({"point_count", "1", std::move(count_)});
     all.push_back({"height_min", "m", std::move(min_)});
     all.push_back({"height_max", "m", std::move(max_)});
+    all.push_back({"ground_height", "m", std::move(ground_)});
     all.push_back({"last_seen_s", "s", std::move(last_)});
     return all;
   }
 
  private:
   std::vector<uint8_t> of_;
-  std::vector<float> index_, mean_, deviation_, slope_, variance_, min_, max_;
+  std::vector<float> index_, mean_, deviation_, slope_, variance_, min_, max_, ground_;
   std::vector<uint32_t> count_;
   std::vector<double> last_;
 };
+}  // namespace
+
+namespace
+{
+template <class F>
+void forEachOccupied(const State& state, const geometry::CellRect& window, F&& f)
+{
+  state.cells.forEachIn(
+      window,
+      [&](Cells::Place place)
+      {
+        const Cell& cell = state.cells.at(place);
+        if (cell.slabs != layers::HeightSlabs::kNone)
+        {
+          f(place, cell);
+        }
+      });
+}
 }  // namespace
 
 geometry::CellRect extentOf(const State& state, const Params& params)
@@ -141,27 +143,31 @@ layers::LayerSet layerSet(
   set.class_layer = "traversability_class";
   set.legend = legend();
 
-  const Classifier classify(params);
-  const bool is_current = state.rule == classRule(params, vehicle);
   const SlabReading reading = slabReading(state, params, vehicle);
   const auto width = static_cast<size_t>(set.extent.width());
   Filler filler(set.size());
-  state.cells.forEachIn(
-      set.extent,
-      [&](Cells::Place place)
-      {
-        const Cell& cell = state.cells.at(place);
-        if (cell.slabs == layers::HeightSlabs::kNone)
+  const auto put = [&](Cells::Place place, const Cell& cell)
+  {
+    const geometry::CellIndex c = state.cells.indexOf(place);
+    const size_t i = static_cast<size_t>(c.y - set.extent.min.y) * width +
+                     static_cast<size_t>(c.x - set.extent.min.x);
+    filler.put(i, cell, featuresOf(state.slabs, state.slabs.get(cell.slabs), reading));
+  };
+  if (window && state.rule == classRule(params, vehicle))
+  {
+    forEachOccupied(state, *window, put);
+  }
+  else
+  {
+    judgeAll(
+        state, params, vehicle, set.extent,
+        [&](Cells::Place place, const Judgement& judgement)
         {
-          return;
-        }
-        const geometry::CellIndex c = state.cells.indexOf(place);
-        const Features f = featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);
-        const Class of = is_current ? cell.of : classify(f);
-        const size_t i = static_cast<size_t>(c.y - set.extent.min.y) * width +
-                         static_cast<size_t>(c.x - set.extent.min.x);
-        filler.put(i, of, indexOf(of, params), f);
-      });
+          Cell cell = state.cells.at(place);
+          setClass(cell, judgement, params);
+          put(place, cell);
+        });
+  }
   set.layers = filler.take();
   return set;
 }

@@ -62,8 +62,21 @@ Need needOf(const State& state, const State& other)
   return need;
 }
 
+/** Sensor bits of the other map as this map counts them. */
+uint32_t translated(uint32_t seen_by, const std::vector<uint32_t>& bits)
+{
+  constexpr uint32_t kOthers = uint32_t{1} << 31U;
+  uint32_t out = seen_by & kOthers;
+  for (size_t i = 0; i < bits.size(); ++i)
+  {
+    out |= ((seen_by >> i) & 1U) != 0 ? bits[i] : 0;
+  }
+  return out;
+}
+
 /** There is room for it. */
-void addCell(State& state, const State& other, Cells::Place place)
+void addCell(
+    State& state, const State& other, Cells::Place place, const std::vector<uint32_t>& bits)
 {
   const Cell& from = other.cells.at(place);
   if (from.slabs == layers::HeightSlabs::kNone)
@@ -76,7 +89,9 @@ void addCell(State& state, const State& other, Cells::Place place)
   state.occupied += static_cast<size_t>(cell.slabs == layers::HeightSlabs::kNone);
   for (const auto* s = other.slabs.get(from.slabs); s != nullptr; s = other.slabs.get(s->next))
   {
-    state.slabs.obtain(cell.slabs, s->level)->add(*s);
+    layers::HeightSlab slab = *s;
+    slab.seen_by = translated(s->seen_by, bits);
+    state.slabs.obtain(cell.slabs, s->level)->add(slab);
   }
 }
 }  // namespace
@@ -108,7 +123,13 @@ void merge(State& state, const Params& params, const geometry::Vehicle& vehicle,
   {
     throw std::length_error("the merged map has no room in max_memory_mb");
   }
-  other.state.cells.forEach([&](Cells::Place place) { addCell(state, other.state, place); });
+  std::vector<uint32_t> bits;
+  for (const std::string& label : other.state.sensors)
+  {
+    bits.push_back(sensorBit(state, label));
+  }
+  other.state.cells.forEach([&](Cells::Place place) { addCell(state, other.state, place, bits); });
+  state.driven.add(other.state.driven);
   reclassify(state, params, vehicle);
 }
 }  // namespace traverse::traversability_grid

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace traverse::traversability_grid
 {
 namespace
 {
 constexpr size_t kBytesPerMb = 1'000'000;
+constexpr size_t kMostSensors = 31;
 
 int64_t millimetres(double metres)
 {
@@ -52,7 +54,7 @@ void obtainPlaces(State& state, size_t most_tiles, layers::UpdateStats& stats)
 
 /** False where there was room for none of them. */
 bool addSums(
-    State& state, uint32_t number, Cell& cell, poses::TimeNs stamp, layers::UpdateStats& stats)
+    State& state, uint32_t number, Cell& cell, const ScanSource& source, layers::UpdateStats& stats)
 {
   const bool is_new = cell.slabs == layers::HeightSlabs::kNone;
   uint64_t added = 0;
@@ -66,7 +68,7 @@ bool addSums(
           stats.over_budget += points.n();
           return;
         }
-        slab->add(points.sums(stamp));
+        slab->add(source.sumsOf(points, state.lattice.cell_mm, state.slab_mm));
         added += points.n();
       });
   stats.points += added;
@@ -94,7 +96,10 @@ ClassRule classRule(const Params& params, const geometry::Vehicle& vehicle)
   rule.params.index_flat = params.index_flat;
   rule.params.index_small_roughness = params.index_small_roughness;
   rule.params.index_large_roughness = params.index_large_roughness;
+  rule.params.ground = params.ground;
   rule.clearance_mm = millimetres(vehicle.height_m);
+  rule.max_step_m = vehicle.max_step_m;
+  rule.max_slope_deg = vehicle.max_slope_deg;
   return rule;
 }
 
@@ -125,10 +130,17 @@ size_t mostSlabs(const Params& params)
 
 SlabReading slabReading(const State& state, const Params& params, const geometry::Vehicle& vehicle)
 {
-  return {state.slab_mm, millimetres(vehicle.height_m), params.ignore_overhangs};
+  constexpr double kThin_mm =
+      30;  // where rings leave points almost on one line (the spec's figure)
+  SlabReading reading;
+  reading.slab_mm = state.slab_mm;
+  reading.clearance_mm = millimetres(vehicle.height_m);
+  reading.ignore_overhangs = params.ignore_overhangs;
+  reading.thin_mm = params.classifier == ClassifierKind::standard ? kThin_mm : 0;
+  return reading;
 }
 
-void addToMap(State& state, poses::TimeNs stamp, size_t most_tiles, layers::UpdateStats& stats)
+void addToMap(State& state, const ScanSource& source, size_t most_tiles, layers::UpdateStats& stats)
 {
   obtainPlaces(state, most_tiles, stats);
   std::vector<bool> is_refused;
@@ -136,7 +148,7 @@ void addToMap(State& state, poses::TimeNs stamp, size_t most_tiles, layers::Upda
       state,
       [&](uint32_t number, Cell& cell)
       {
-        if (!addSums(state, number, cell, stamp, stats))
+        if (!addSums(state, number, cell, source, stats))
         {
           is_refused.resize(state.touched.size());
           is_refused[number] = true;
@@ -164,6 +176,7 @@ void clearCells(State& state)
     state.occupied = 0;
   }
   state.touched.clear();
+  state.driven.clear();
 }
 
 void moveWindow(State& state, const geometry::CellRect& window)
@@ -173,6 +186,7 @@ void moveWindow(State& state, const geometry::CellRect& window)
   {
     return;
   }
+  state.driven.keep(window);
   const geometry::CellRect kept = Cells::intersection(*old, window);
   if (kept.empty())
   {
@@ -193,17 +207,49 @@ void moveWindow(State& state, const geometry::CellRect& window)
   }
 }
 
-void reclassify(State& state, const Params& params, const geometry::Vehicle& vehicle)
+geometry::CellRect occupiedRect(const State& state)
 {
-  const Classifier classify(params);
-  const SlabReading reading = slabReading(state, params, vehicle);
+  constexpr int32_t kLow = std::numeric_limits<int32_t>::min();
+  constexpr int32_t kHigh = std::numeric_limits<int32_t>::max();
+  geometry::CellRect rect{{kHigh, kHigh}, {kLow, kLow}};
   state.cells.forEach(
       [&](Cells::Place place)
       {
-        Cell& cell = state.cells.at(place);
-        cell.of = classify(featuresOf(state.slabs, state.slabs.get(cell.slabs), reading));
-        cell.index = indexOf(cell.of, params);
+        if (state.cells.at(place).slabs == layers::HeightSlabs::kNone)
+        {
+          return;
+        }
+        const geometry::CellIndex c = state.cells.indexOf(place);
+        rect.min = {std::min(rect.min.x, c.x), std::min(rect.min.y, c.y)};
+        rect.max = {std::max(rect.max.x, c.x + 1), std::max(rect.max.y, c.y + 1)};
       });
+  return state.empty() ? geometry::CellRect{} : rect;
+}
+
+void reclassify(State& state, const Params& params, const geometry::Vehicle& vehicle)
+{
+  judgeAll(
+      state, params, vehicle, occupiedRect(state),
+      [&](Cells::Place place, const Judgement& judgement)
+      { setClass(state.cells.at(place), judgement, params); });
   state.rule = classRule(params, vehicle);
+}
+
+void setClass(Cell& cell, const Judgement& judgement, const Params& params)
+{
+  cell.of = judgement.of;
+  cell.index = indexOf(judgement.of, params);
+  cell.ground_m = judgement.ground_m;
+}
+
+uint32_t sensorBit(State& state, std::string_view label)
+{
+  const auto known = std::find(state.sensors.begin(), state.sensors.end(), label);
+  const auto number = static_cast<size_t>(known - state.sensors.begin());
+  if (known == state.sensors.end() && number < kMostSensors)
+  {
+    state.sensors.emplace_back(label);
+  }
+  return uint32_t{1} << std::min(number, kMostSensors);
 }
 }  // namespace traverse::traversability_grid

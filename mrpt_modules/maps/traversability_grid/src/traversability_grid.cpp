@@ -67,6 +67,35 @@ void collect(
   stats.over_budget += state.scan.refused();
 }
 
+/** Steps 4 to 6 for the cells of the last scan, with all that the map knows of them. */
+void judgeTouched(
+    State& state,
+    const geometry::CellRect& window,
+    const Params& params,
+    const geometry::Vehicle& vehicle)
+{
+  SlabReading reading = slabReading(state, params, vehicle);
+  state.judge.begin(params, vehicle, state.lattice, window, state.driven);
+  forEachTouched(
+      state,
+      [&](uint32_t number, Cell& cell)
+      {
+        const layers::HeightSlab* lowest = state.slabs.get(cell.slabs);
+        state.judge.add(
+            state.scan.cell(number), featuresOf(state.slabs, lowest, reading));  // step 4
+      });
+  state.judge.finish(
+      [&](size_t i, int64_t floor_mm)
+      {
+        reading.floor_mm = floor_mm;
+        const Cell& cell = state.cells.at(state.touched[i]);
+        return featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);
+      });  // step 5
+  forEachTouched(
+      state, [&](uint32_t number, Cell& cell)
+      { setClass(cell, state.judge.judgements()[number], params); });  // step 6
+}
+
 void rememberRobot(State& state, poses::TimeNs stamp, const Eigen::Isometry3d& T_map_base)
 {
   if (!state.robot || stamp >= state.robot->time)
@@ -98,22 +127,13 @@ layers::UpdateStats update(
     return stats;
   }
   makeRoom(state, projection->neighbourhood(), params);
-  addToMap(state, scan.stamp, mostTiles(params), stats);
+  const uint32_t sensor = sensorBit(state, scan.sensor_label);
+  addToMap(state, ScanSource(scan, T_map_base, sensor, params), mostTiles(params), stats);
   stats.touched_cells = state.touched.size();
   stats.inserted = stats.points > 0;
   rememberRobot(state, scan.stamp, T_map_base);
-
-  const Classifier classify(params);
-  const SlabReading reading = slabReading(state, params, vehicle);
-  forEachTouched(
-      state,
-      [&](uint32_t /*number*/, Cell& cell)
-      {
-        const Features features =
-            featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);  // step 4
-        cell.of = classify(features);                                       // step 5
-        cell.index = indexOf(cell.of, params);                              // step 6
-      });
+  state.driven.add(T_map_base, vehicle, state.lattice);
+  judgeTouched(state, projection->accepted(), params, vehicle);  // steps 4 to 6
   return stats;
 }
 }  // namespace traverse::traversability_grid

@@ -39,6 +39,8 @@ struct HeightSlab
   poses::TimeNs last_seen = 0;
   int64_t x = 0, y = 0, z = 0;
   int64_t xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
+  int64_t noise = 0;     //!< variances of the heights that the sensor's noise makes, (0.1 mm)^2
+  uint32_t seen_by = 0;  //!< bits of the sensors that saw it at last_seen
 
   void add(PointInSlab p, poses::TimeNs stamp);
 
@@ -46,7 +48,7 @@ struct HeightSlab
   void add(const HeightSlab& other);
 };
 
-static_assert(sizeof(HeightSlab) == 96, "two cache lines at most");
+static_assert(sizeof(HeightSlab) == 112, "two cache lines at most");
 
 /** The slabs of all cells of a map. A cell owns a list of them, lowest first, and knows only the
  * list's head (kNone where it has no point). Freed slabs are used again. */
@@ -77,7 +79,7 @@ class HeightSlabs
     {
       const HeightSlab* s = &at(slab);
       __builtin_prefetch(s);
-      __builtin_prefetch(&s->zz);
+      __builtin_prefetch(&s->seen_by);
     }
   }
 
@@ -132,7 +134,9 @@ inline void HeightSlab::add(const HeightSlab& other)
 {
   min_z_mm = n == 0 || other.min_z_mm < min_z_mm ? other.min_z_mm : min_z_mm;
   max_z_mm = n == 0 || other.max_z_mm > max_z_mm ? other.max_z_mm : max_z_mm;
-  last_seen = n == 0 || other.last_seen > last_seen ? other.last_seen : last_seen;
+  const bool is_newer = n == 0 || other.last_seen > last_seen;
+  seen_by = is_newer ? other.seen_by : seen_by | (other.last_seen == last_seen ? other.seen_by : 0);
+  last_seen = is_newer ? other.last_seen : last_seen;
   n += other.n;
   x += other.x;
   y += other.y;
@@ -143,5 +147,6 @@ inline void HeightSlab::add(const HeightSlab& other)
   xz += other.xz;
   yz += other.yz;
   zz += other.zz;
+  noise += other.noise;
 }
 }  // namespace traverse::layers

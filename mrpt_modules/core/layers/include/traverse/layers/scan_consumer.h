@@ -6,7 +6,9 @@
 #include <traverse/points/scan.h>
 #include <traverse/poses/pose_track.h>
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 #include <string>
 #include <string_view>
 
@@ -32,6 +34,14 @@ class ScanConsumer
 
   /** Adds a deskewed scan at the track's pose for its stamp. */
   virtual UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) = 0;
+
+  /** A label for each point of the scan that was inserted last, which must be given again: 0
+   * undefined, 1 ground, 2 obstacle, 3 overhanging. Empty from maps that have no labels. */
+  virtual std::vector<uint32_t> pointLabels(
+      const points::Scan& /*scan*/, const poses::PoseTrack& /*track*/) const
+  {
+    return {};
+  }
 
   /** The map's layers in a window (all of it by default; cells outside the map are unknown). */
   virtual LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const = 0;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace traverse::traversability_grid
 {
@@ -27,9 +28,11 @@ struct Features
   double deviation_m = 0;
   double variance_m2 = 0;
   bool has_plane = false;  //!< false: the points lie on one line seen from above, or in one place
+                           //!< (or, with SlabReading::thin_mm, in one place)
   double slope_x = 0;      //!< A
   double slope_y = 0;      //!< B
   double at_corner_m = 0;  //!< C
+  double noise_m2 = 0;     //!< part of the variance that the sensor's noise makes
   poses::TimeNs last_seen = 0;
 
   /** tan^2 of the angle gamma between the plane and the horizontal. */
@@ -45,22 +48,34 @@ struct SlabReading
   int32_t slab_mm = 500;
   int64_t clearance_mm = 2000;   //!< the vehicle's height
   bool ignore_overhangs = true;  //!< upward to the first gap of at least clearance_mm only
+
+  /** Points whose smaller horizontal standard deviation is below this have their slope fitted along
+   * the larger direction only. 0: never (the paper). */
+  double thin_mm = 0;
+
+  /** Slabs wholly below are passed over where one reaches above: false returns from under the
+   * ground. */
+  int64_t floor_mm = std::numeric_limits<int64_t>::min();
 };
 
 /** Features of the cell whose lowest slab is given (nullptr: n = 0). */
 Features featuresOf(
     const layers::HeightSlabs& slabs, const layers::HeightSlab* lowest, const SlabReading& reading);
 
-/** Step 5: features to class. */
+/** Step 5: features to class, by the cell itself. */
 class Classifier
 {
  public:
   explicit Classifier(const Params& params);
 
-  /** The first class whose limits the features do not exceed. Undefined: fewer than min_points, or
-   * no plane where the other features alone are not an obstacle's (a plane could still worsen the
-   * class, so they do not decide). */
+  /** The first class whose limits the features do not exceed. Undefined: fewer than min_points;
+   * with classifier = paper also no plane where the other features alone are not an obstacle's (a
+   * plane could still worsen the class, so they do not decide). classifier = default takes the
+   * sensor's noise off the features first. */
   Class operator()(const Features& features) const;
+
+  /** Of a surface so much above or below the ground that the vehicle comes from. */
+  Class ofStep(double step_m) const { return worstOf(step_m, 0, 0); }
 
  private:
   struct Limits
@@ -72,6 +87,7 @@ class Classifier
 
   Class worstOf(double deviation_m, double variance_m2, double tan2_slope) const;
 
+  ClassifierKind kind_;
   uint64_t min_points_;
   std::array<Limits, 3> limits_;
 };

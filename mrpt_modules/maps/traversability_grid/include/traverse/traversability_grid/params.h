@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/ground/params.h>
 #include <traverse/options/option.h>
 
 #include <array>
@@ -39,7 +40,8 @@ enum class Extent : uint8_t
 /** How features become a class. */
 enum class ClassifierKind : uint8_t
 {
-  paper,
+  standard,  //!< "default": against the ground and the sensor's noise too
+  paper,     //!< by the cell's own features and no more
 };
 
 /** A cell is of the first class whose limits its three features do not exceed. */
@@ -69,7 +71,7 @@ struct Params
   double highest_m = 30;
   int max_memory_mb = 2000;
 
-  ClassifierKind classifier = ClassifierKind::paper;
+  ClassifierKind classifier = ClassifierKind::standard;
   int min_points = 3;
   bool ignore_overhangs = true;
   ClassLimits flat{0.03, 30, 0.000225};
@@ -78,6 +80,9 @@ struct Params
   int index_flat = 20;
   int index_small_roughness = 45;
   int index_large_roughness = 75;
+  double range_noise_m = 0.02;
+  double angle_noise_deg = 0.03;
+  ground::Params ground;
 
   friend bool operator==(const Params&, const Params&) = default;
 };
@@ -163,11 +168,31 @@ void visitClasses(P& p, F&& f)
     p.index_large_roughness);
 }
 
+template <class P, class F>
+void visitNoise(P& p, F&& f)
+{
+  using options::Option;
+  f(
+      Option{
+          "range_noise_m",
+          "standard deviation of the sensor's ranges, m; classifier = default allows for it",
+          {0, 1}},
+      p.range_noise_m);
+  f(
+      Option{
+          "angle_noise_deg",
+          "standard deviation of its beams' directions and of the vehicle's attitude, deg",
+          {0, 10}},
+      p.angle_noise_deg);
+}
+
 template <class F>
 void visit(Params& p, F&& f)
 {
   visitExtent(p, f);
   visitClasses(p, f);
+  visitNoise(p, f);
+  ground::visitParams(p.ground, f);
 }
 
 template <class F>
@@ -175,6 +200,8 @@ void visit(const Params& p, F&& f)
 {
   visitExtent(p, f);
   visitClasses(p, f);
+  visitNoise(p, f);
+  ground::visitParams(p.ground, f);
 }
 
 /** Throws OptionError where a member is out of its range or members contradict each other: limits
@@ -202,5 +229,6 @@ template <>
 struct traverse::options::EnumNames<traverse::traversability_grid::ClassifierKind>
 {
   using E = traverse::traversability_grid::ClassifierKind;
-  static constexpr std::array<std::pair<E, std::string_view>, 1> kNames = {{{E::paper, "paper"}}};
+  static constexpr std::array<std::pair<E, std::string_view>, 2> kNames = {
+      {{E::standard, "default"}, {E::paper, "paper"}}};
 };

@@ -7,13 +7,17 @@
 #include <traverse/layers/height_slabs.h>
 #include <traverse/layers/scan_consumer.h>
 #include <traverse/layers/tile_grid.h>
-#include <traverse/traversability_grid/features.h>
+#include <traverse/traversability_grid/driven.h>
+#include <traverse/traversability_grid/judge.h>
 #include <traverse/traversability_grid/params.h>
 #include <traverse/traversability_grid/scan_cells.h>
+#include <traverse/traversability_grid/scan_source.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace traverse::traversability_grid
@@ -24,6 +28,7 @@ struct Cell
   int32_t slabs = layers::HeightSlabs::kNone;
   Class of = Class::undefined;
   uint8_t index = kNoIndex;
+  float ground_m = std::numeric_limits<float>::quiet_NaN();  //!< map frame; NaN: not known
 };
 
 using Cells = layers::TileGrid<Cell>;
@@ -33,6 +38,8 @@ struct ClassRule
 {
   Params params;  //!< only what classes depend on; the rest is left at its defaults
   int64_t clearance_mm = 0;
+  double max_step_m = 0;
+  double max_slope_deg = 0;
 
   friend bool operator==(const ClassRule&, const ClassRule&) = default;
 };
@@ -49,11 +56,14 @@ struct State
   size_t occupied = 0;                       //!< cells with a point
   std::optional<geometry::CellRect> window;  //!< the cells kept, where they follow the robot
   std::optional<poses::StampedPose> robot;   //!< latest pose that a scan came with
+  DrivenCells driven;                        //!< where the ground is known by the vehicle
+  std::vector<std::string> sensors;          //!< labels; HeightSlab::seen_by counts them from bit 0
   ClassRule rule;                            //!< what the cells' classes were made with
 
   // The last scan's; work space of update(), kept for its capacity.
   ScanCells scan;                     //!< the cells that it touched, numbered; its points' cells
   std::vector<Cells::Place> touched;  //!< by number, where those cells are stored
+  Judge judge;                        //!< and what they were judged to be
 
   bool empty() const { return occupied == 0; }
 };
@@ -63,7 +73,12 @@ State makeState(const Params& params, const geometry::Vehicle& vehicle);
 
 /** Step 3's second half: adds the sums of the last scan's cells to the map and notes where they
  * are. What the memory budget has no room for is counted, and its cells leave the scan's. */
-void addToMap(State& state, poses::TimeNs stamp, size_t most_tiles, layers::UpdateStats& stats);
+void addToMap(
+    State& state, const ScanSource& source, size_t most_tiles, layers::UpdateStats& stats);
+
+/** The bit of a sensor's label, which is kept from now on; the last bit stands for all labels
+ * beyond the 31st. */
+uint32_t sensorBit(State& state, std::string_view label);
 
 /** Calls f(number, Cell&) for the cells of the last scan, in order, while the next ones are on
  * their way from memory. */
@@ -100,6 +115,56 @@ void clearCells(State& state);
 /** Moves the kept window: cells that leave it are forgotten. Costs by what leaves. */
 void moveWindow(State& state, const geometry::CellRect& window);
 
+/** Judges all cells of a rectangle against the ground that spreads from the driven cells in it, and
+ * calls f(Place, const Judgement&) for each that has points, in the grid's order. */
+template <class F>
+void judgeAll(
+    const State& state,
+    const Params& params,
+    const geometry::Vehicle& vehicle,
+    const geometry::CellRect& window,
+    F&& f);
+
+void setClass(Cell& cell, const Judgement& judgement, const Params& params);
+
+/** The smallest rectangle with all occupied cells; empty where there is none. */
+geometry::CellRect occupiedRect(const State& state);
+
 /** Makes the classes of all cells new. */
 void reclassify(State& state, const Params& params, const geometry::Vehicle& vehicle);
+
+template <class F>
+void judgeAll(
+    const State& state,
+    const Params& params,
+    const geometry::Vehicle& vehicle,
+    const geometry::CellRect& window,
+    F&& f)
+{
+  const SlabReading reading = slabReading(state, params, vehicle);
+  std::vector<Cells::Place> places;
+  const auto read = [&](Cells::Place place, int64_t floor_mm)
+  {
+    SlabReading from = reading;
+    from.floor_mm = floor_mm;
+    return featuresOf(state.slabs, state.slabs.get(state.cells.at(place).slabs), from);
+  };
+  Judge judge;
+  judge.begin(params, vehicle, state.lattice, window, state.driven);
+  state.cells.forEachIn(
+      window,
+      [&](Cells::Place place)
+      {
+        if (state.cells.at(place).slabs != layers::HeightSlabs::kNone)
+        {
+          places.push_back(place);
+          judge.add(state.cells.indexOf(place), read(place, reading.floor_mm));
+        }
+      });
+  judge.finish([&](size_t i, int64_t floor_mm) { return read(places[i], floor_mm); });
+  for (size_t i = 0; i < places.size(); ++i)
+  {
+    f(places[i], judge.judgements()[i]);
+  }
+}
 }  // namespace traverse::traversability_grid

@@ -31,6 +31,10 @@ layers::UpdateStats update(
 /** The map's layers in a window. By default all of it: a rolling map's window, a fixed map's
  * rectangle, a growing map's occupied cells (no cells where there is none).
  *
+ * Classes and ground heights in a window are those that update() found last for each cell, from the
+ * cells of one scan; without a window they are made new from all cells, so that they depend on the
+ * sums only and on no order.
+ *
  * Throws std::length_error for more than kMostLayerCells. */
 layers::LayerSet layerSet(
     const State& state,
@@ -44,7 +48,7 @@ inline constexpr int64_t kMostLayerCells = 100'000'000;
 geometry::CellRect extentOf(const State& state, const Params& params);
 
 inline constexpr std::string_view kArchiveKind = "traversability_grid";
-inline constexpr uint32_t kArchiveVersion = 1;
+inline constexpr uint32_t kArchiveVersion = 2;
 
 /** A map with the options that made it. */
 struct Map

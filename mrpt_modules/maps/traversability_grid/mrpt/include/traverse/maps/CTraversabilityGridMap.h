@@ -69,6 +69,8 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
 
   // layers::ScanConsumer
   layers::UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) override;
+  std::vector<uint32_t> pointLabels(
+      const points::Scan& scan, const poses::PoseTrack& track) const override;
   layers::LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const override;
   std::string archive() const override;
   void mergeArchive(std::string_view bytes) override;

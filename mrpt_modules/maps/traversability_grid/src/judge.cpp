@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/traversability_grid/judge.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace traverse::traversability_grid
+{
+namespace
+{
+constexpr double kMmPerM = geometry::kMillimetresPerMetre;
+
+/** A surface so far below the ground around it may be a false return; what lies up to kFloor_m
+ * below the ground is then the first to count. */
+constexpr float kFalseReturn_m = 0.5F;
+constexpr float kFloor_m = 0.3F;
+
+ground::Params groundParams(const Params& params, const geometry::Vehicle& vehicle)
+{
+  ground::Params p = params.ground;
+  p.step_m = std::max(p.step_m, vehicle.max_step_m);
+  p.most_slope_deg = std::max(p.most_slope_deg, vehicle.max_slope_deg);
+  return p;
+}
+}  // namespace
+
+Class worse(Class a, Class b)
+{
+  return static_cast<Class>(std::max(static_cast<uint8_t>(a), static_cast<uint8_t>(b)));
+}
+
+void Judge::begin(
+    const Params& params,
+    const geometry::Vehicle& vehicle,
+    const geometry::Lattice& lattice,
+    const geometry::CellRect& window,
+    const DrivenCells& driven)
+{
+  params_ = params;
+  classify_.emplace(params);
+  ground_params_ = groundParams(params, vehicle);
+  clearance_m_ = vehicle.height_m;
+  lattice_ = lattice;
+  window_ = window;
+  reference_mm_ = driven.referenceIn(window);
+  driven.seedsIn(window, lattice, reference_mm_, seeds_);
+  columns_.clear();
+  judgements_.clear();
+}
+
+void Judge::add(geometry::CellIndex cell, const Features& f)
+{
+  judgements_.push_back(byItself(f));
+  columns_.push_back(columnOf(cell, f));
+}
+
+Judgement Judge::byItself(const Features& f) const
+{
+  Judgement judgement;
+  judgement.of = (*classify_)(f);
+  judgement.top_mm = static_cast<float>(f.max_m * kMmPerM);
+  return judgement;
+}
+
+ground::Column Judge::columnOf(geometry::CellIndex cell, const Features& f) const
+{
+  const double reference_m = static_cast<double>(reference_mm_) / kMmPerM;
+  const auto above = [&](double height_m) { return static_cast<float>(height_m - reference_m); };
+  constexpr uint64_t kMost = std::numeric_limits<uint32_t>::max();
+  return {
+      cell, static_cast<uint32_t>(std::min(f.n, kMost)), above(f.min_m), above(f.mean_m),
+      above(f.max_m)};
+}
+
+void Judge::finish(const Reread& reread)
+{
+  if (params_.classifier == ClassifierKind::paper)
+  {
+    return;
+  }
+  const std::span<const ground::Verdict> verdicts =
+      estimator_.estimate(columns_, seeds_, lattice_, window_, ground_params_);
+  for (size_t i = 0; i < judgements_.size(); ++i)
+  {
+    if (verdicts[i].isKnown())
+    {
+      const bool is_false = columns_[i].low_m < verdicts[i].ground_m - kFalseReturn_m;
+      const ground::Verdict verdict = is_false ? secondLook(i, verdicts[i], reread) : verdicts[i];
+      againstGround(columns_[i], verdict, judgements_[i]);
+    }
+  }
+}
+
+ground::Verdict Judge::secondLook(size_t i, const ground::Verdict& first, const Reread& reread)
+{
+  const double floor_m = (first.ground_m - kFloor_m);
+  const Features f = reread(i, reference_mm_ + static_cast<int64_t>(std::floor(floor_m * kMmPerM)));
+  const ground::Column column = columnOf(columns_[i].cell, f);
+  if (!(column.low_m > columns_[i].low_m))
+  {
+    return first;
+  }
+  columns_[i] = column;
+  judgements_[i] = byItself(f);
+  ground::Verdict verdict{first.ground_m, ground::Verdict::kNone};
+  if (column.low_m - first.ground_m <= static_cast<float>(ground_params_.over_patch_m))
+  {
+    verdict.limit_m = first.ground_m + static_cast<float>(ground_params_.over_surface_m);
+  }
+  return verdict;
+}
+
+void Judge::againstGround(
+    const ground::Column& column, const ground::Verdict& verdict, Judgement& judgement) const
+{
+  const auto reference_mm = static_cast<double>(reference_mm_);
+  judgement.ground_m = static_cast<float>(reference_mm / kMmPerM + verdict.ground_m);
+  if (verdict.bearsGround())
+  {
+    judgement.ground_limit_mm = static_cast<float>(reference_mm + verdict.limit_m * kMmPerM);
+    return;
+  }
+  const double rise_m = column.low_m - verdict.ground_m;
+  judgement.overhangs = params_.ignore_overhangs && rise_m >= clearance_m_;
+  if (judgement.overhangs)
+  {
+    judgement.of = Class::undefined;  // nothing was seen of what the vehicle would drive on
+  }
+  else if (judgement.of != Class::undefined)
+  {
+    judgement.of = worse(judgement.of, classify_->ofStep(std::abs(rise_m)));
+  }
+}
+}  // namespace traverse::traversability_grid
