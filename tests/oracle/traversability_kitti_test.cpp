@@ -199,6 +199,7 @@ TEST(Oracle, SingleCloudsHaveTheNaiveClasses)
   const auto folder = sharedData("kitti-odo00-labelled/full_resolution");
   TRAVERSE_NEEDS(folder);
   Params params;
+  params.classifier = ClassifierKind::paper;
   params.mode = Mode::single_cloud;
   State state = makeState(params, kCar);
   for (const char* name : {"000000.bin.gz"})
@@ -218,6 +219,7 @@ TEST(Oracle, AnAccumulatedDriveHasTheNaiveClasses)
   const auto folder = sharedData("kitti-odo00-labelled");
   TRAVERSE_NEEDS(folder);
   Params params;
+  params.classifier = ClassifierKind::paper;
   params.extent = Extent::growing;
   State state = makeState(params, kCar);
   NaiveMap naive;

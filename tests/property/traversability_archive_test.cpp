@@ -133,7 +133,10 @@ struct Forgery
   uint32_t n = 3;
   uint16_t low = 10;
   uint16_t high = 30;
-  std::vector<int64_t> sums = {300, 300, 60, 40000, 40000, 40000, 6000, 6000, 1400};
+  std::vector<int64_t> sums = {300, 300, 60, 40000, 40000, 40000, 6000, 6000, 1400, 30};
+  std::vector<std::string> sensors = {"left", "right"};
+  std::vector<int64_t> driven = {0, 0, -500, 20, -30, 40};
+  int drives = 1;
   int copies = 1;
 
   std::string bytes() const
@@ -162,11 +165,31 @@ struct Forgery
       {
         cell.i64(sum);
       }
+      cell.u32(1);
+    }
+    ByteWriter labels;
+    labels.u32(static_cast<uint32_t>(sensors.size()));
+    for (const std::string& label : sensors)
+    {
+      labels.str(label);
+    }
+    ByteWriter places;
+    places.u64(static_cast<uint64_t>(drives));
+    for (int i = 0; i < drives; ++i)
+    {
+      places.i32(0);
+      places.i32(0);
+      for (const int64_t value : driven)
+      {
+        places.i64(value);
+      }
     }
     ArchiveWriter writer{std::string(kArchiveKind), kArchiveVersion};
     writer.section("OPTS", formats::optionBytes(params));
     writer.section("VEHI", formats::optionBytes(vehicle));
     writer.section("GRID", grid.take());
+    writer.section("SENS", labels.take());
+    writer.section("DRIV", places.take());
     writer.section("CELL", cell.take());
     return writer.finish();
   }
@@ -191,10 +214,17 @@ TEST(Archive, ThatContradictsItselfIsRefused)
   EXPECT_THAT(forged([](Forgery& f) { f.x = 2'000'000'000; }), HasSubstr("outside the map"));
   EXPECT_NE(forged([](Forgery& f) { f.slabs = 0; }), "accepted");
   EXPECT_NE(forged([](Forgery& f) { f.slabs = 4'000'000'000U; }), "accepted");
+  EXPECT_THAT(forged([](Forgery& f) { f.driven[1] = -1; }), HasSubstr("driven"));
+  EXPECT_THAT(forged([](Forgery& f) { f.driven[0] = -(int64_t{1} << 62U); }), HasSubstr("driven"));
+  EXPECT_THAT(forged([](Forgery& f) { f.drives = 2; }), HasSubstr("twice"));
+  EXPECT_THAT(forged([](Forgery& f) { f.sensors = {"b", "a"}; }), HasSubstr("order"));
+  EXPECT_THAT(
+      forged([](Forgery& f) { f.sensors = std::vector<std::string>(40, "a"); }),
+      HasSubstr("more sensors"));
   EXPECT_THAT(forged([](Forgery& f) { f.n = 0; }), HasSubstr("no points"));
   EXPECT_THAT(forged([](Forgery& f) { f.low = 40; }), HasSubstr("no points"));
   EXPECT_THAT(forged([](Forgery& f) { f.high = 600; }), HasSubstr("no points"));
-  for (size_t i = 0; i < 9; ++i)
+  for (size_t i = 0; i < 10; ++i)
   {
     for (const int64_t sum : {int64_t{-1}, int64_t{1} << 62U})
     {

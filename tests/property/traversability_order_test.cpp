@@ -211,6 +211,7 @@ class SweptMap
             cell = Cell{};
           }
         });
+    state_.driven.keep(window);
     update(state_, v.scan.view(), v.T_map_base, params_, kCar);
   }
 

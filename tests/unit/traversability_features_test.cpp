@@ -186,9 +186,11 @@ TEST(Classifier, WhatLiesOnALimitIsWithin)
   EXPECT_EQ(classify(steep), Class::flat);
 }
 
-TEST(Classifier, WithoutAPlaneOnlyAnObstacleIsSure)
+TEST(Classifier, OfThePaperIsSureOfObstaclesOnlyWithoutAPlane)
 {
-  const Classifier classify{Params{}};
+  Params paper;
+  paper.classifier = ClassifierKind::paper;
+  const Classifier classify(paper);
   Features f;
   f.n = 3;
   f.has_plane = false;

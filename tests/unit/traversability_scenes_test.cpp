@@ -68,9 +68,10 @@ TEST(Scene, ThePaperToTheLetterCountsWhatHangs)
   EXPECT_THAT(classified({".b."}, params), ElementsAre("141"));
 }
 
-TEST(Scene, PointsOnALineThatAreLevelAreUndefined)
+TEST(Scene, PointsOnALineThatAreLevelAreUndefinedToThePaper)
 {
-  const Params params = growing();
+  Params params = growing();
+  params.classifier = ClassifierKind::paper;
   State state = makeState(params, kCar);
   points::ScanBuffer line;
   for (int i = 0; i < 10; ++i)
@@ -230,7 +231,7 @@ TEST(LayerSet, HasTheNamesAndCodesOfTheContract)
       names, ElementsAre(
                  "traversability_class", "traversability_index", "height_mean", "height_deviation",
                  "slope_deg", "height_variance", "point_count", "height_min", "height_max",
-                 "last_seen_s"));
+                 "ground_height", "last_seen_s"));
   const auto& index = std::get<std::vector<float>>(set.find("traversability_index")->data);
   EXPECT_EQ(index[0], 20);
   EXPECT_EQ(index[1], 45);

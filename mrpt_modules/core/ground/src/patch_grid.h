@@ -50,6 +50,12 @@ class PatchGrid
 
   float side_m() const { return side_m_; }
 
+  /** Cells along a patch's edge. */
+  size_t cells() const { return static_cast<size_t>(cells_); }
+
+  /** Of the middle of a patch's i-th column or row of cells from the patch's middle. */
+  float offset_m(size_t i) const { return (static_cast<float>(i) + 0.5F) * cell_m() - side_m_ / 2; }
+
   float cell_m() const { return static_cast<float>(cell_m_); }
 
   std::vector<Patch>& patches() { return patches_; }

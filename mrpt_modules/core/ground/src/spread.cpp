@@ -30,6 +30,13 @@ constexpr float kKerbFlat_m = 0.06F;
 /** A surface may lie so much below what a rise may above: noise. */
 constexpr float kBelow_m = 0.05F;
 
+/** A slope less what may be noise. */
+float beyondNoise(float slope)
+{
+  constexpr float kLevel = 0.05F;
+  return slope - std::clamp(slope, -kLevel, kLevel);
+}
+
 /** Where nothing is measured a slope fades by this from patch to patch. */
 constexpr float kFade = 0.8F;
 
@@ -177,22 +184,28 @@ void Spread::findCandidates(const Patch& patch, const Prediction& predicted)
   size_t high = 0;
   size_t columns = 0;
   candidates_.clear();
-  for (const int32_t number : grid_.columnsOf(patch))
+  const std::span<const int32_t> numbers = grid_.columnsOf(patch);
+  for (size_t k = 0; k < numbers.size(); ++k)
   {
-    if (number < 0)
+    if (numbers[k] < 0)
     {
       continue;
     }
     ++columns;
-    const Column& c = columns_[static_cast<size_t>(number)];
-    const float rise = c.low_m - predicted.z_m;
+    const Column& c = columns_[static_cast<size_t>(numbers[k])];
+    const float slope = beyondNoise(predicted.slope_x) * grid_.offset_m(k % grid_.cells()) +
+                        beyondNoise(predicted.slope_y) * grid_.offset_m(k / grid_.cells());
+    const float rise = c.low_m - slope - predicted.z_m;
     const float span = c.top_m - c.low_m;
-    if (rise < -up - kBelow_m || rise > (span < kKerbFlat_m ? kerb : up))
+    if (rise < -up - kBelow_m ||
+        rise > (span < kKerbFlat_m     ? kerb
+                : span < kOneSurface_m ? up
+                                       : std::min(up, static_cast<float>(params_.step_m))))
     {
       continue;
     }
     high += static_cast<size_t>(rise > up);
-    candidates_.push_back({span < kOneSurface_m ? c.mean_m : c.low_m + kFoot_m, c.n});
+    candidates_.push_back({(span < kOneSurface_m ? c.mean_m : c.low_m + kFoot_m) - slope, c.n});
   }
   if (high > 0 && static_cast<float>(high) < kWide * static_cast<float>(columns))
   {

@@ -10,11 +10,16 @@ namespace
 {
 constexpr size_t kMostLabels = 31;
 constexpr size_t kLongestLabel = 4096;
-constexpr size_t kDrivenBytes = 4 + 4 + 4 * 8;
+constexpr size_t kDrivenBytes = 4 + 4 + 6 * 8;
 
-/** Higher than this nothing is driven on; times DrivenCells::kMostStands it still fits. */
+/** Further up or down nothing is driven on. */
 constexpr int64_t kHighest_mm = 100'000'000'000;
-constexpr int64_t kMostSlope = 10'001;
+constexpr int64_t kSteepest = 10'001;  // in DrivenCells::kSlopeUnit
+
+bool isIn(const DrivenCells::Range& range, int64_t most)
+{
+  return -most <= range.low && range.low <= range.high && range.high <= most;
+}
 }  // namespace
 
 SensorOrder::SensorOrder(const std::vector<std::string>& sensors)
@@ -71,14 +76,15 @@ std::string drivenBytes(const DrivenCells& driven)
 {
   formats::ByteWriter out;
   out.u64(driven.cells().size());
-  for (const auto& [place, sums] : driven.cells())
+  for (const auto& [place, stand] : driven.cells())
   {
     out.i32(place.first);
     out.i32(place.second);
-    out.u64(sums.n);
-    out.i64(sums.z_mm);
-    out.i64(sums.slope_x);
-    out.i64(sums.slope_y);
+    for (const DrivenCells::Range& range : {stand.z_mm, stand.slope_x, stand.slope_y})
+    {
+      out.i64(range.low);
+      out.i64(range.high);
+    }
   }
   return out.take();
 }
@@ -86,27 +92,26 @@ std::string drivenBytes(const DrivenCells& driven)
 void readDriven(formats::ByteReader in, DrivenCells& driven)
 {
   const size_t count = in.count(kDrivenBytes);
-  const auto is_possible = [](const DrivenCells::Sums& s)
-  {
-    const auto n = static_cast<int64_t>(s.n);
-    const auto within = [n](int64_t sum, int64_t most)
-    { return sum >= -most * n && sum <= most * n; };
-    return s.n > 0 && s.n <= DrivenCells::kMostStands && within(s.z_mm, kHighest_mm) &&
-           within(s.slope_x, kMostSlope) && within(s.slope_y, kMostSlope);
-  };
   for (size_t i = 0; i < count; ++i)
   {
     const int32_t row = in.i32();
     const int32_t column = in.i32();
-    DrivenCells::Sums sums;
-    sums.n = in.u64();
-    sums.z_mm = in.i64();
-    sums.slope_x = in.i64();
-    sums.slope_y = in.i64();
-    if (!is_possible(sums) || !driven.cells().emplace(std::pair(row, column), sums).second)
+    DrivenCells::Stand stand;
+    for (DrivenCells::Range* range : {&stand.z_mm, &stand.slope_x, &stand.slope_y})
+    {
+      range->low = in.i64();
+      range->high = in.i64();
+    }
+    if (!isIn(stand.z_mm, kHighest_mm) || !isIn(stand.slope_x, kSteepest) ||
+        !isIn(stand.slope_y, kSteepest))
     {
       in.fail("a driven cell that no poses can make");
     }
+    driven.add({row, column}, stand);
+  }
+  if (driven.cells().size() != count)
+  {
+    in.fail("a driven cell that is there twice");
   }
   in.expectEnd();
 }

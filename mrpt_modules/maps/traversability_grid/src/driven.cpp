@@ -19,9 +19,9 @@ geometry::CellIndex cellOf(const std::pair<int32_t, int32_t>& row_column)
   return {row_column.second, row_column.first};
 }
 
-float meanOf(int64_t sum, uint64_t n, double unit)
+DrivenCells::Range only(int64_t value)
 {
-  return static_cast<float>(static_cast<double>(sum) / static_cast<double>(n) * unit);
+  return {value, value};
 }
 }  // namespace
 
@@ -42,30 +42,24 @@ void DrivenCells::add(
   }
   const geometry::CellIndex cell =
       lattice.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y()));
-  Sums& sums = cells_[{cell.y, cell.x}];
-  if (sums.n == kMostStands)
-  {
-    return;
-  }
-  ++sums.n;
-  sums.z_mm += geometry::toMillimetres(p.z());
-  sums.slope_x += std::llround(slope_x / kSlopeUnit);
-  sums.slope_y += std::llround(slope_y / kSlopeUnit);
+  add({cell.y, cell.x},
+      {only(geometry::toMillimetres(p.z())), only(std::llround(slope_x / kSlopeUnit)),
+       only(std::llround(slope_y / kSlopeUnit))});
+}
+
+void DrivenCells::add(const std::pair<int32_t, int32_t>& row_column, const Stand& stand)
+{
+  Stand& known = cells_[row_column];
+  known.z_mm.add(stand.z_mm);
+  known.slope_x.add(stand.slope_x);
+  known.slope_y.add(stand.slope_y);
 }
 
 void DrivenCells::add(const DrivenCells& other)
 {
-  for (const auto& [place, more] : other.cells_)
+  for (const auto& [place, stand] : other.cells_)
   {
-    Sums& sums = cells_[place];
-    if (more.n > kMostStands - sums.n)
-    {
-      continue;
-    }
-    sums.n += more.n;
-    sums.z_mm += more.z_mm;
-    sums.slope_x += more.slope_x;
-    sums.slope_y += more.slope_y;
+    add(place, stand);
   }
 }
 
@@ -76,11 +70,11 @@ void DrivenCells::keep(const geometry::CellRect& window)
 
 int64_t DrivenCells::referenceIn(const geometry::CellRect& window) const
 {
-  for (const auto& [place, sums] : cells_)
+  for (const auto& [place, stand] : cells_)
   {
     if (window.contains(cellOf(place)))
     {
-      return sums.z_mm / static_cast<int64_t>(sums.n);
+      return stand.z_mm.low;
     }
   }
   return 0;
@@ -93,18 +87,20 @@ void DrivenCells::seedsIn(
     std::vector<ground::Seed>& seeds) const
 {
   seeds.clear();
-  for (const auto& [place, sums] : cells_)
+  for (const auto& [place, stand] : cells_)
   {
     const geometry::CellIndex cell = cellOf(place);
     if (!window.contains(cell))
     {
       continue;
     }
-    const int64_t above_mm = sums.z_mm - reference_mm * static_cast<int64_t>(sums.n);
+    const auto slope = [](const Range& range)
+    { return static_cast<float>(range.middle() * kSlopeUnit); };
+    const double above_mm = stand.z_mm.middle() - static_cast<double>(reference_mm);
     seeds.push_back(
-        {lattice.centre_m(cell.x), lattice.centre_m(cell.y), meanOf(above_mm, sums.n, 1e-3),
-         meanOf(sums.slope_x, sums.n, kSlopeUnit), meanOf(sums.slope_y, sums.n, kSlopeUnit),
-         kStand_m});
+        {lattice.centre_m(cell.x), lattice.centre_m(cell.y),
+         static_cast<float>(above_mm / geometry::kMillimetresPerMetre), slope(stand.slope_x),
+         slope(stand.slope_y), kStand_m});
   }
 }
 }  // namespace traverse::traversability_grid

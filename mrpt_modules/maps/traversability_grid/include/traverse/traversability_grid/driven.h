@@ -8,41 +8,59 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
 
 namespace traverse::traversability_grid
 {
-/** The ground under the vehicle wherever a scan was taken, by its poses: sums of integers, so that
- * any order of the scans gives the same. From here the ground estimate spreads. */
+/** The ground under the vehicle wherever a scan was taken, by its poses: the lowest and the highest
+ * of a cell, in integers, so that any order and any repetition gives the same. From here the ground
+ * estimate spreads. */
 class DrivenCells
 {
  public:
-  struct Sums
+  /** Lowest and highest value met. */
+  struct Range
   {
-    uint64_t n = 0;
-    int64_t z_mm = 0;
-    int64_t slope_x = 0;  //!< metres up per metre, in kSlopeUnit
-    int64_t slope_y = 0;
+    int64_t low = std::numeric_limits<int64_t>::max();
+    int64_t high = std::numeric_limits<int64_t>::min();
 
-    friend bool operator==(const Sums&, const Sums&) = default;
+    void add(const Range& other)
+    {
+      low = std::min(low, other.low);
+      high = std::max(high, other.high);
+    }
+
+    double middle() const { return (static_cast<double>(low) + static_cast<double>(high)) / 2; }
+
+    friend bool operator==(const Range&, const Range&) = default;
+  };
+
+  struct Stand
+  {
+    Range z_mm;
+    Range slope_x;  //!< metres up per metre, in kSlopeUnit
+    Range slope_y;
+
+    friend bool operator==(const Stand&, const Stand&) = default;
   };
 
   static constexpr double kSlopeUnit = 1e-4;
 
-  /** A cell counts no more (46 days of standing at 10 Hz): its sums cannot overflow. */
-  static constexpr uint64_t kMostStands = 40'000'000;
-
   /** By row, then column. */
-  using Map = std::map<std::pair<int32_t, int32_t>, Sums>;
+  using Map = std::map<std::pair<int32_t, int32_t>, Stand>;
 
   /** The vehicle stood at T_map_base; a pose too steep to drive on is left out. */
   void add(
       const Eigen::Isometry3d& T_map_base,
       const geometry::Vehicle& vehicle,
       const geometry::Lattice& lattice);
+
+  void add(const std::pair<int32_t, int32_t>& row_column, const Stand& stand);
 
   void add(const DrivenCells& other);
 
@@ -63,8 +81,6 @@ class DrivenCells
   int64_t referenceIn(const geometry::CellRect& window) const;
 
   const Map& cells() const { return cells_; }
-
-  Map& cells() { return cells_; }
 
  private:
   Map cells_;

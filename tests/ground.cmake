@@ -1,0 +1,2 @@
+# core/ground.
+traverse_test(unit ground_test USES ground)
