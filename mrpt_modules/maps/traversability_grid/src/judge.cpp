@@ -52,7 +52,10 @@ void Judge::begin(
 void Judge::add(geometry::CellIndex cell, const Features& f)
 {
   judgements_.push_back(byItself(f));
-  columns_.push_back(columnOf(cell, f));
+  if (params_.classifier != ClassifierKind::paper)
+  {
+    columns_.push_back(columnOf(cell, f));
+  }
 }
 
 Judgement Judge::byItself(const Features& f) const

@@ -18,9 +18,8 @@ int64_t millimetres(double metres)
   return geometry::toMillimetres(metres);
 }
 
-void clearCell(State& state, Cells::Place place)
+void clearCell(State& state, Cell& cell)
 {
-  Cell& cell = state.cells.at(place);
   if (cell.slabs != layers::HeightSlabs::kNone)
   {
     state.slabs.release(cell.slabs);
@@ -164,10 +163,7 @@ void clearCells(State& state)
 {
   if (state.touched.size() == state.occupied)
   {
-    for (const Cells::Place place : state.touched)
-    {
-      clearCell(state, place);
-    }
+    forEachTouched(state, [&](uint32_t /*number*/, Cell& cell) { clearCell(state, cell); });
   }
   else
   {
@@ -202,7 +198,8 @@ void moveWindow(State& state, const geometry::CellRect& window)
       geometry::CellRect{{kept.max.x, kept.min.y}, {old->max.x, kept.max.y}}};
   for (const geometry::CellRect& strip : gone)
   {
-    state.cells.forEachIn(strip, [&](Cells::Place place) { clearCell(state, place); });
+    state.cells.forEachIn(
+        strip, [&](Cells::Place place) { clearCell(state, state.cells.at(place)); });
     state.cells.releaseTiles(strip, window);
   }
 }
