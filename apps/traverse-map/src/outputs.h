@@ -18,6 +18,12 @@
 
 namespace traverse::app
 {
+/** The file with the run's own ini (configIni()). */
+inline constexpr const char* kConfigFile = "config.ini";
+
+/** The file with a map's archive. */
+std::string archiveName(const BuiltMap& map);
+
 /** Where a run writes. Pictures need no display; where none can be made (no EGL), that is a warning
  * in the metrics, and layers, archive and report are written all the same. */
 class Outputs

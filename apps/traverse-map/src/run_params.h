@@ -15,6 +15,7 @@ struct RunParams
   std::string output;
   std::string title;
   bool deskew = true;
+  int threads = 2;
   int max_scans = 0;
   double snapshot_every_s = 0;
   int picture_width_px = 1200;
@@ -29,6 +30,13 @@ void visitRunParams(P& p, F&& f)
   f(Option{"output", "the folder to write; relative names start at the working folder"}, p.output);
   f(Option{"title", "headline of the report; empty: the log's name"}, p.title);
   f(Option{"deskew", "place every point with the pose at its own time"}, p.deskew);
+  f(
+      Option{
+          "threads",
+          "1: one thing after the other; 2: reading and deskewing run ahead of the maps; each more "
+          "lets one more map take the scan at the same time. The results are the same",
+          {1, 64}},
+      p.threads);
   f(Option{"max_scans", "stop after so many scans; 0 = all", {0, 1e9}}, p.max_scans);
   f(
       Option{
