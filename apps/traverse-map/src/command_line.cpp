@@ -48,7 +48,7 @@ void declarePieces(CLI::App& cli, Command& command)
   auto* merge = cli.add_option(
       "--merge", command.merge,
       "make the map of the whole log from the output folders of all its pieces; needs --output");
-  merge->type_name("DIR...")->check(CLI::ExistingDirectory);
+  merge->type_name("DIR...");
   for (const char* other :
        {"CONFIG.ini", "--rawlog", "--set", "--piece", "--check-config", "--print-defaults",
         "--print-options"})

@@ -229,6 +229,10 @@ void Outputs::finish(
 
 void Outputs::drawn(const std::function<void()>& draw)
 {
+  if (!settings_.run.pictures)
+  {
+    return;
+  }
   try
   {
     draw();

@@ -60,7 +60,8 @@ class Outputs
       const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time) const;
   rendering::PictureSize pictureSize() const;
 
-  /** Runs `draw`; a machine that cannot draw costs a warning, not the run. */
+  /** Runs `draw` where pictures are wanted; a machine that cannot draw costs a warning, not the
+   * run. */
   void drawn(const std::function<void()>& draw);
 
   const Settings& settings_;
