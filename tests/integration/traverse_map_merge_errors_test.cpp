@@ -103,7 +103,7 @@ TEST_F(TraverseMapPieces, InterruptedOnesAreRefused)
   Process process(
       {std::string(TRAVERSE_BINARY_DIR) + "/bin/traverse-map", scratch_ / "2" / "config.ini",
        "--piece", "2/2", "--output", scratch_ / "cut", "--set", "traverse-map.snapshot_every_s=0.2",
-       "--set", "traverse-map.pictures=true"});
+       "--set", "traverse-map.pictures=true", "--set", "traverse-map.picture_width_px=200"});
   while (process.running() && !fs::exists(scratch_ / "cut.partial" / "snapshot_0003.png"))
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -136,6 +136,15 @@ TEST_F(TraverseMapPieces, DamagedFilesAreRefused)
     }
     writeText(scratch_ / "2" / name, good);
   }
+  const std::string metrics = readText(scratch_ / "2" / "metrics.json");
+  for (const std::string& hostile :
+       {std::string(), std::string(2'000'000, '['), std::string("[]"),
+        std::string("{\"piece\": 1}"), std::string("{\"piece\": {}, \"crc32\": \"x\"}")})
+  {
+    writeText(scratch_ / "2" / "metrics.json", hostile);
+    EXPECT_EQ(merge({"1", "2"}, "merged").exit_code, 4) << hostile.substr(0, 40);
+  }
+  writeText(scratch_ / "2" / "metrics.json", metrics);
   fs::remove(scratch_ / "2" / "map.traverse");
   EXPECT_EQ(merge({"1", "2"}, "merged").exit_code, 4);
 }

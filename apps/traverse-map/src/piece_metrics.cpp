@@ -27,6 +27,10 @@ PieceMetrics pieceFrom(const Json& json)
   json.at("poses_crc32").get_to(piece.poses_crc32);
   json.at("log_problems").get_to(piece.log_problems);
   json.at("log_warnings").get_to(piece.log_warnings);
+  if (piece.number < 1 || piece.number > piece.of)
+  {
+    throw formats::FormatError("is damaged: it is of a piece that is none");
+  }
   return piece;
 }
 
@@ -41,6 +45,17 @@ MapMetrics mapFrom(const Json& json)
   json.at("points_bad").get_to(map.bad_points);
   json.at("points_over_budget").get_to(map.over_budget);
   return map;
+}
+
+/** Texts are written and compared by recursion. */
+bool refuseDepth(int depth, Json::parse_event_t /*event*/, Json& /*parsed*/)
+{
+  constexpr int kDeepest = 8;
+  if (depth > kDeepest)
+  {
+    throw formats::FormatError("is damaged: objects within objects, deeper than a run writes them");
+  }
+  return true;
 }
 
 RunMetrics metricsFrom(const Json& json)
@@ -108,7 +123,7 @@ RunMetrics pieceFromJson(const std::string& text)
 {
   try
   {
-    const Json json = Json::parse(text);
+    const Json json = Json::parse(text, refuseDepth);
     if (!json.is_object() || !json.contains("piece"))
     {
       throw formats::FormatError("is of no piece of a log: it was not made with --piece");
