@@ -3,9 +3,12 @@
 #include "command_line.h"
 #include "map_set.h"
 #include "mapping.h"
+#include "merging.h"
 #include "outputs.h"
+#include "piece.h"
 #include "settings.h"
 #include "track.h"
+#include "verdict.h"
 
 #include <traverse/common_app/interrupt.h>
 #include <traverse/formats/archive.h>
@@ -29,89 +32,14 @@ void tell(const std::string& kind, const std::vector<std::string>& messages)
   }
 }
 
-/** The exit code of a run that came to its end. */
-ExitCode verdict(const RunMetrics& metrics)
+std::vector<BuiltMap> buildChecked(const Settings& settings)
 {
-  if (const auto interrupted = Interrupt::exitCode())
+  std::vector<BuiltMap> maps = buildMaps(settings);
+  if (settings.piece)
   {
-    return *interrupted;
+    checkPieces(settings, maps);
   }
-  if (metrics.scans == 0)
-  {
-    return ExitCode::unreadable;
-  }
-  return metrics.complete ? ExitCode::done : ExitCode::partial;
-}
-
-/** What a user must know of a map that did not take everything. */
-void noteAbout(const MapMetrics& map, RunMetrics& metrics)
-{
-  constexpr uint64_t kTenth = 10;  // a log's first and last scans often have no pose
-  if (map.scans == 0 && map.outside > 0)
-  {
-    metrics.problems.push_back(
-        fmt::format("{}: all {} points lie outside its extent", map.name, map.outside));
-    metrics.complete = false;
-  }
-  else if (map.scans == 0)
-  {
-    metrics.problems.push_back(fmt::format(
-        "{}: no scan was inserted ({} of {} had no valid pose; [Poses] source = {})", map.name,
-        map.scans_no_pose, metrics.scans, metrics.pose_source));
-    if (metrics.poses["kept"] == 0)
-    {
-      metrics.problems.push_back(fmt::format(
-          "the log has no poses of source '{}': try [Poses] source = icp_2d, or identity for a "
-          "robot that stands still",
-          metrics.pose_source));
-    }
-    metrics.complete = false;
-  }
-  else if (map.scans_no_pose > 0)
-  {
-    metrics.warnings.push_back(fmt::format(
-        "{}: {} of {} scans had no valid pose", map.name, map.scans_no_pose, metrics.scans));
-  }
-  if (map.scans_no_pose * kTenth > metrics.scans)
-  {
-    metrics.complete = false;
-  }
-  if (map.over_budget > 0)
-  {
-    metrics.complete = false;
-    metrics.warnings.push_back(
-        fmt::format("{}: {} points found no room; raise max_memory_mb", map.name, map.over_budget));
-  }
-}
-
-void noteWhatIsMissing(RunMetrics& metrics)
-{
-  if (Interrupt::exitCode())
-  {
-    metrics.complete = false;
-    metrics.problems.emplace_back(
-        metrics.scans == 0 ? "interrupted before anything was mapped"
-                           : "interrupted: what was finished is saved");
-  }
-  if (metrics.scans == 0 && metrics.problems.empty())
-  {
-    metrics.problems.push_back(
-        fmt::format("{}: no observation in it became points", metrics.rawlog));
-  }
-  if (metrics.scans == 0)
-  {
-    return;
-  }
-  if (const uint64_t skewed = metrics.deskew["no_poses"]; skewed > 0)
-  {
-    metrics.warnings.push_back(fmt::format(
-        "{} of {} scans are not corrected for motion: no poses at the times of their points",
-        skewed, metrics.scans));
-  }
-  for (const MapMetrics& map : metrics.maps)
-  {
-    noteAbout(map, metrics);
-  }
+  return maps;
 }
 
 ExitCode mapIt(const Settings& settings)
@@ -120,10 +48,15 @@ ExitCode mapIt(const Settings& settings)
   metrics.rawlog = settings.rawlog.string();
   metrics.warnings = settings.warnings;
   const Interrupt interrupt;
-  std::vector<BuiltMap> maps = buildMaps(settings);
+  std::vector<BuiltMap> maps = buildChecked(settings);
   Outputs outputs(settings, metrics);
   const poses::PoseTrack track = metrics.times.during(
       "poses", [&] { return makeTrack(settings, metrics, Interrupt::flag()); });
+  if (settings.piece)
+  {
+    metrics.piece =
+        metrics.times.during("count", [&] { return describePiece(settings, track, metrics); });
+  }
   poses::TimeNs last_stamp = 0;
   mapLog(
       settings, track, maps, metrics,
@@ -133,10 +66,24 @@ ExitCode mapIt(const Settings& settings)
         outputs.snapshot(maps, track, stamp);
       });
   noteWhatIsMissing(metrics);
-  if (metrics.scans > 0)
+  if (hasResults(metrics))
   {
     outputs.finish(maps, track, last_stamp);
     std::cout << (outputs.folder() / "report.html").string() << "\n";
+  }
+  tell("warning", metrics.warnings);
+  tell("problem", metrics.problems);
+  return verdict(metrics);
+}
+
+ExitCode mergeThem(const Command& command)
+{
+  RunMetrics metrics;
+  const Interrupt interrupt;
+  const std::filesystem::path folder = mergeFolders(command, metrics);
+  if (!folder.empty())
+  {
+    std::cout << (folder / "report.html").string() << "\n";
   }
   tell("warning", metrics.warnings);
   tell("problem", metrics.problems);
@@ -150,10 +97,14 @@ ExitCode runCommand(const Command& command)
     std::cout << (command.print_defaults ? defaultsIni() : optionTables());
     return ExitCode::done;
   }
+  if (!command.merge.empty())
+  {
+    return mergeThem(command);
+  }
   const Settings settings = loadSettings(command);
   if (command.check_config)
   {
-    buildMaps(settings);
+    buildChecked(settings);
     tell("warning", settings.warnings);
     std::cout << command.config.string() << ": ok\n";
     return ExitCode::done;

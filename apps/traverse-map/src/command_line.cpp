@@ -3,6 +3,7 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <iostream>
 
 #ifndef TRAVERSE_VERSION
@@ -21,6 +22,41 @@ constexpr const char* kFooter =
     "Results go to stdout, talk to stderr. Start from a file of ini/; doc/options.md says what "
     "each key means.";
 
+/** K/N with 1 <= K <= N. */
+Piece pieceOf(const std::string& text)
+{
+  constexpr uint64_t kMost = 1'000'000;
+  Piece piece;
+  const char* end = text.data() + text.size();
+  const auto k = std::from_chars(text.data(), end, piece.number);
+  const bool slash = k.ec == std::errc() && k.ptr != end && *k.ptr == '/';
+  const auto n = slash ? std::from_chars(k.ptr + 1, end, piece.of) : k;
+  if (!slash || n.ec != std::errc() || n.ptr != end || piece.number < 1 ||
+      piece.number > piece.of || piece.of > kMost)
+  {
+    throw CLI::ValidationError("--piece", "'" + text + "' is not K/N with 1 <= K <= N");
+  }
+  return piece;
+}
+
+void declarePieces(CLI::App& cli, Command& command)
+{
+  cli.add_option_function<std::string>(
+         "--piece", [&](const std::string& text) { command.piece = pieceOf(text); },
+         "map only the K-th of N parts of the log")
+      ->type_name("K/N");
+  auto* merge = cli.add_option(
+      "--merge", command.merge,
+      "make the map of the whole log from the output folders of all its pieces; needs --output");
+  merge->type_name("DIR...");
+  for (const char* other :
+       {"CONFIG.ini", "--rawlog", "--set", "--piece", "--check-config", "--print-defaults",
+        "--print-options"})
+  {
+    merge->excludes(cli.get_option(other));
+  }
+}
+
 void declare(CLI::App& cli, Command& command)
 {
   cli.add_option("CONFIG.ini", command.config, "what to map and how");
@@ -38,6 +74,7 @@ void declare(CLI::App& cli, Command& command)
   cli.add_flag("--print-options", command.print_options, "print the table of all keys as Markdown");
   cli.add_flag("--force", command.force, "replace an output folder that is there");
   cli.add_flag("--quiet", command.quiet, "no progress on stderr");
+  declarePieces(cli, command);
   cli.set_version_flag("--version", "traverse-map " TRAVERSE_VERSION);
   cli.footer(kFooter);
 }
@@ -52,9 +89,15 @@ ParsedCommand parseCommandLine(int argc, const char* const* argv)
   try
   {
     cli.parse(argc, argv);
-    if (command.config.empty() && !command.print_defaults && !command.print_options)
+    const bool needs_config =
+        command.merge.empty() && !command.print_defaults && !command.print_options;
+    if (needs_config && command.config.empty())
     {
       throw CLI::RequiredError("CONFIG.ini");
+    }
+    if (!command.merge.empty() && command.output.empty())
+    {
+      throw CLI::RequiredError("--output");
     }
   }
   catch (const CLI::ParseError& e)

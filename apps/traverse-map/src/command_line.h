@@ -4,6 +4,7 @@
 
 #include <traverse/common_app/exit_code.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,13 +12,22 @@
 
 namespace traverse::app
 {
+/** Part `number` (from 1) of `of` parts of a log. */
+struct Piece
+{
+  uint64_t number = 1;
+  uint64_t of = 1;
+};
+
 /** What the user asked for. */
 struct Command
 {
   std::filesystem::path config;
-  std::string rawlog;                    //!< instead of the ini's
-  std::string output;                    //!< instead of the ini's
-  std::vector<std::string> assignments;  //!< --set section.key=value
+  std::string rawlog;                        //!< instead of the ini's
+  std::string output;                        //!< instead of the ini's
+  std::vector<std::string> assignments;      //!< --set section.key=value
+  std::optional<Piece> piece;                //!< --piece K/N
+  std::vector<std::filesystem::path> merge;  //!< --merge: folders of pieces
   bool check_config = false;
   bool print_defaults = false;
   bool print_options = false;

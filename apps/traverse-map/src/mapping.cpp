@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping.h"
 
+#include "piece.h"
+#include "scan_feed.h"
+
 #include <traverse/common_app/interrupt.h>
 #include <traverse/common_app/progress.h>
 #include <traverse/logs/log_reader.h>
-#include <traverse/points/deskew.h>
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <future>
 
 namespace traverse::app
 {
@@ -53,11 +56,46 @@ void insert(
   metrics.over_budget += stats.over_budget;
 }
 
-double fractionRead(const logs::LogReport& report)
+/** All maps; `threads` - 1 of them at a time, as one thread reads. */
+void insertIntoAll(
+    const points::Scan& scan,
+    const poses::PoseTrack& track,
+    int threads,
+    std::vector<BuiltMap>& maps,
+    std::vector<MapMetrics>& metrics)
 {
-  return report.file_size == 0
-             ? 0.0
-             : static_cast<double>(report.bytes_read) / static_cast<double>(report.file_size);
+  const auto every_nth = [&](size_t first, size_t n)
+  {
+    for (size_t i = first; i < maps.size(); i += n)
+    {
+      insert(scan, track, maps[i], metrics[i]);
+    }
+  };
+  const size_t hands = std::clamp<size_t>(static_cast<size_t>(threads) - 1, 1, maps.size());
+  std::vector<std::future<void>> others;
+  for (size_t hand = 1; hand < hands; ++hand)
+  {
+    others.push_back(std::async(std::launch::async, every_nth, hand, hands));
+  }
+  every_nth(0, hands);
+  for (std::future<void>& other : others)
+  {
+    other.get();
+  }
+}
+
+/** The piece is whole where all its entries were met; what is damaged behind the last is nobody's.
+ */
+void noteWhole(const logs::LogReport& report, PieceMetrics& piece)
+{
+  const logs::EntryRange entries = entriesOf({piece.number, piece.of}, piece.log_entries);
+  const uint64_t expected = std::min(entries.end, piece.log_entries) - entries.first;
+  const bool ended = report.end == logs::LogEnd::complete || report.end == logs::LogEnd::damaged;
+  piece.whole = ended && report.objects == expected;
+  if (!report.damage.empty() && report.end == logs::LogEnd::damaged)
+  {
+    piece.log_problems.push_back(report.damage);
+  }
 }
 
 void takeReport(const logs::LogReport& report, RunMetrics& metrics)
@@ -69,6 +107,10 @@ void takeReport(const logs::LogReport& report, RunMetrics& metrics)
   metrics.repeated_stamps = report.repeated_stamps;
   metrics.backward_stamps = report.backward_stamps;
   metrics.bad_stamps = report.bad_stamps;
+  if (metrics.piece)
+  {
+    noteWhole(report, *metrics.piece);
+  }
   if (!report.complete() && report.end != logs::LogEnd::reading &&
       report.end != logs::LogEnd::stopped)
   {
@@ -85,28 +127,32 @@ struct Context
 };
 
 void mapScan(
-    points::Decoded& decoded,
+    const PreparedScan& prepared,
     const Context& context,
     std::vector<BuiltMap>& maps,
     RunMetrics& metrics)
 {
+  const points::Decoded& decoded = prepared.decoded;
   metrics.last_stamp_s = static_cast<double>(decoded.scan.stamp) * poses::kSecondsPerNs;
   metrics.first_stamp_s = metrics.scans == 0 ? metrics.last_stamp_s : metrics.first_stamp_s;
   ++metrics.scans;
   metrics.points += decoded.scan.size();
   metrics.rejects += decoded.rejects;
-  if (context.settings.run.deskew)
+  metrics.times.add("read and decode", prepared.read_s);
+  if (prepared.deskew)
   {
-    ++metrics.deskew[nameOf(metrics.times.during(
-        "deskew", [&] { return points::deskew(decoded.scan, context.track); }))];
+    ++metrics.deskew[nameOf(*prepared.deskew)];
+    metrics.times.add("deskew", prepared.deskew_s);
   }
   const auto pose = context.track.at(decoded.scan.stamp);
   ++metrics.pose_quality[pose ? nameOf(pose->quality) : "none"];
-  for (size_t i = 0; i < maps.size(); ++i)
-  {
-    metrics.times.during(
-        "insert", [&] { insert(decoded.scan.view(), context.track, maps[i], metrics.maps[i]); });
-  }
+  metrics.times.during(
+      "insert",
+      [&]
+      {
+        insertIntoAll(
+            decoded.scan.view(), context.track, context.settings.run.threads, maps, metrics.maps);
+      });
 }
 }  // namespace
 
@@ -122,21 +168,21 @@ void mapLog(
     metrics.maps.emplace_back().name = map.name + map.file_suffix;
   }
   const bool any_time_will_do = settings.poses.source == poses::PoseSource::identity;
+  const logs::EntryRange entries =
+      settings.piece ? entriesOf(*settings.piece, metrics.piece->log_entries) : logs::EntryRange();
+  // Made here, as its child process dies with the thread that made it.
   logs::LogReader reader(
-      settings.rawlog, settings.log, settings.sensors, {&Interrupt::flag(), any_time_will_do});
+      settings.rawlog, settings.log, settings.sensors,
+      {&Interrupt::flag(), any_time_will_do, entries});
   Progress progress("mapping", "scans", settings.quiet);
-  const auto limit = static_cast<uint64_t>(settings.run.max_scans);
-  while (limit == 0 || metrics.scans < limit)
   {
-    std::optional<points::Decoded> decoded =
-        metrics.times.during("read and decode", [&] { return reader.next(); });
-    if (!decoded)
+    ScanFeed feed(reader, settings, track);
+    while (const std::optional<PreparedScan> scan = feed.next())
     {
-      break;
+      mapScan(*scan, {settings, track}, maps, metrics);
+      after_scan(scan->decoded.scan.stamp);
+      progress.show(scan->fraction_read, metrics.scans);
     }
-    mapScan(*decoded, {settings, track}, maps, metrics);
-    after_scan(decoded->scan.stamp);
-    progress.show(fractionRead(reader.report()), metrics.scans);
   }
   progress.finish(metrics.scans);
   takeReport(reader.report(), metrics);

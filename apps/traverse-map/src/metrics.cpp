@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "metrics.h"
 
+#include "metrics_json.h"
+
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 namespace traverse::app
 {
 namespace
 {
-using Json = nlohmann::ordered_json;
 
 template <class Pairs>
 Json object(const Pairs& pairs)
@@ -33,16 +33,6 @@ Json rejectsOf(const points::RejectCounts& counts)
   return all;
 }
 
-double totalSeconds(const RunMetrics& metrics)
-{
-  double total = 0;
-  for (const auto& [stage, seconds] : metrics.times.seconds())
-  {
-    total += seconds;
-  }
-  return total;
-}
-
 Json mapsOf(const RunMetrics& metrics)
 {
   Json maps = Json::array();
@@ -60,6 +50,20 @@ Json mapsOf(const RunMetrics& metrics)
   }
   return maps;
 }
+
+Json pieceOf(const PieceMetrics& piece)
+{
+  return {
+      {"number", piece.number},
+      {"of", piece.of},
+      {"whole", piece.whole},
+      {"log_entries", piece.log_entries},
+      {"log_bytes", piece.log_bytes},
+      {"log_crc32", piece.log_crc32},
+      {"poses_crc32", piece.poses_crc32},
+      {"log_problems", piece.log_problems},
+      {"log_warnings", piece.log_warnings}};
+}
 }  // namespace
 
 void StageTimes::add(const std::string& stage, double seconds)
@@ -76,6 +80,11 @@ void StageTimes::add(const std::string& stage, double seconds)
   }
 }
 
+double StageTimes::total_s() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
 double peakMemory_mb()
 {
   double kilobytes = 0;
@@ -90,8 +99,8 @@ double peakMemory_mb()
 
 std::string toJson(const RunMetrics& metrics)
 {
-  const double total_s = totalSeconds(metrics);
-  const Json json = {
+  const double total_s = metrics.times.total_s();
+  Json json = {
       {"traverse_version", TRAVERSE_VERSION},
       {"rawlog", metrics.rawlog},
       {"complete", metrics.complete},
@@ -120,7 +129,15 @@ std::string toJson(const RunMetrics& metrics)
       {"seconds_total", total_s},
       {"points_per_second", total_s > 0 ? static_cast<double>(metrics.points) / total_s : 0.0},
       {"peak_memory_mb", peakMemory_mb()}};
-  // Labels come from the log: bytes that are not UTF-8 are replaced, never an exception.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (metrics.piece)
+  {
+    json["piece"] = pieceOf(*metrics.piece);
+    json["crc32"] = metricsChecksum(json);
+  }
+  if (metrics.merged_pieces > 0)
+  {
+    json["merged_pieces"] = metrics.merged_pieces;
+  }
+  return textOf(json) + "\n";
 }
 }  // namespace traverse::app

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +26,13 @@ class StageTimes
     return work();
   }
 
+  /** For work that was timed elsewhere. */
+  void add(const std::string& stage, double seconds);
+
   const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
+
+  /** Since this was made, by the clock on the wall: stages that ran side by side count once. */
+  double total_s() const;
 
  private:
   struct Stop
@@ -41,9 +48,8 @@ class StageTimes
     }
   };
 
-  void add(const std::string& stage, double seconds);
-
   std::vector<std::pair<std::string, double>> seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /** What one map took in and is. */
@@ -59,11 +65,28 @@ struct MapMetrics
   std::vector<std::pair<std::string, uint64_t>> cells_by_class;
 };
 
+/** Which part of a log a run mapped, and what tells that parts are of one log and one track. */
+struct PieceMetrics
+{
+  uint64_t number = 1;  //!< from 1
+  uint64_t of = 1;
+  bool whole = false;                     //!< read to its end, or to the log's damage
+  uint64_t log_entries = 0;               //!< of all pieces
+  uint64_t log_bytes = 0;                 //!< size of the file
+  uint32_t log_crc32 = 0;                 //!< of the file
+  uint32_t poses_crc32 = 0;               //!< of the track
+  std::vector<std::string> log_problems;  //!< of the log and its poses, as all pieces meet them
+  std::vector<std::string> log_warnings;
+};
+
 /** What a run met and did: metrics.json. */
 struct RunMetrics
 {
   std::string rawlog;
-  bool complete = true;  //!< the whole log was read, and nobody interrupted
+  std::optional<PieceMetrics> piece;    //!< of a run with --piece
+  uint64_t merged_pieces = 0;           //!< of a run with --merge
+  std::optional<uint64_t> log_entries;  //!< where a pass over the whole log has counted them
+  bool complete = true;                 //!< the whole log was read, and nobody interrupted
   std::vector<std::string> problems;
   std::vector<std::string> warnings;
   uint64_t objects = 0;
@@ -92,4 +115,11 @@ double peakMemory_mb();
 
 /** The metrics as JSON text. */
 std::string toJson(const RunMetrics& metrics);
+
+/** What toJson() wrote of a piece, with all that addPiece() needs. Takes any bytes; throws
+ * formats::FormatError where they are no metrics of a piece, or damaged. */
+RunMetrics pieceFromJson(const std::string& text);
+
+/** Adds a piece's counts to those of the pieces before it. */
+void addPiece(RunMetrics& sum, const RunMetrics& piece);
 }  // namespace traverse::app

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings.h"
+#include "wanted_maps.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -16,15 +18,20 @@ struct Section
   std::vector<options::Row> rows;
 };
 
+/** The app's own sections with the values of these settings. */
+std::vector<Section> ownSections(const Settings& s)
+{
+  return {
+      {"traverse-map", "The run.", options::rows(s.run)},
+      {"Vehicle", "What drives; all maps use it.", options::rows(s.vehicle)},
+      {"Poses", "Where the poses come from.", options::rows(s.poses)},
+      {"Sensors", "How observations become points.", options::rows(s.sensors)},
+      {"Log", "How the log is read.", options::rows(s.log)}};
+}
+
 std::vector<Section> allSections()
 {
-  std::vector<Section> all = {
-      {"traverse-map", "The run.", options::rows(RunParams{})},
-      {"Vehicle", "What drives; all maps use it.", options::rows(geometry::Vehicle{})},
-      {"Poses", "Where the poses come from.", options::rows(poses::PoseParams{})},
-      {"Sensors", "How observations become points.",
-       options::rows(observations::ObservationParams{})},
-      {"Log", "How the log is read.", options::rows(logs::LogParams{})}};
+  std::vector<Section> all = ownSections({});
   Section maps{"Maps", "Which maps are built, by MRPT's own mechanism.", {}};
   for (const plugin::MapSchema& schema : plugin::mapSchemas())
   {
@@ -52,7 +59,82 @@ std::string escaped(const std::string& cell)
   }
   return out;
 }
+
+std::string absolutePath(const std::string& name)
+{
+  return name.empty() ? name : std::filesystem::absolute(name).lexically_normal().string();
+}
+
+/** One line, whatever came by --set. */
+std::string line(const std::string& key, const std::string& value)
+{
+  std::string text = fmt::format("{} = {}", key, value);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text + "\n";
+}
 }  // namespace
+
+std::string configIni(const Settings& settings)
+{
+  Settings s = settings;
+  s.run.rawlog = absolutePath(s.rawlog.string());
+  s.run.output = absolutePath(s.output.string());
+  s.poses.file = absolutePath(s.poses.file);
+  s.poses.times_file = absolutePath(s.poses.times_file);
+  std::string text = "// What this folder was made with.\n";
+  for (const Section& section : ownSections(s))
+  {
+    text += fmt::format("\n[{}]\n", section.name);
+    for (const options::Row& row : section.rows)
+    {
+      text += line(row.key, row.value);
+    }
+  }
+  text += "\n[Maps]\n";
+  for (const WantedMap& map : s.maps)
+  {
+    text += line(map.name + "_count", std::to_string(map.count));
+  }
+  for (const WantedMap& map : s.maps)
+  {
+    for (const std::string& section : mapSections(map))
+    {
+      text += fmt::format("\n[{}]\n", section);
+      for (const config::Entry& entry : s.ini.entries())
+      {
+        text += config::sameName(entry.section, section) ? line(entry.key, entry.value) : "";
+      }
+    }
+  }
+  return text;
+}
+
+std::vector<std::pair<std::string, std::string>> recipe(const Settings& settings)
+{
+  std::vector<std::pair<std::string, std::string>> entries = {
+      {"[traverse-map] deskew", options::format(settings.run.deskew)}};
+  for (const Section& section : ownSections(settings))
+  {
+    if (section.name == "traverse-map" || section.name == "Log")
+    {
+      continue;
+    }
+    for (const options::Row& row : section.rows)
+    {
+      const bool is_file =
+          section.name == "Poses" && (row.key == "file" || row.key == "times_file");
+      if (!is_file)  // what stands in it counts, not where it lies
+      {
+        entries.emplace_back(fmt::format("[{}] {}", section.name, row.key), row.value);
+      }
+    }
+  }
+  for (const WantedMap& map : settings.maps)
+  {
+    entries.emplace_back("[Maps] " + map.name + "_count", std::to_string(map.count));
+  }
+  return entries;
+}
 
 std::string defaultsIni()
 {

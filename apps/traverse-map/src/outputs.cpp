@@ -45,6 +45,11 @@ const std::filesystem::path& withParents(const std::filesystem::path& folder)
 }
 }  // namespace
 
+std::string archiveName(const BuiltMap& map)
+{
+  return "map" + map.file_suffix + ".traverse";
+}
+
 Outputs::Outputs(const Settings& settings, RunMetrics& metrics) :
     settings_(settings),
     metrics_(metrics),
@@ -200,8 +205,7 @@ void Outputs::finish(
   for (size_t i = 0; i < maps.size(); ++i)
   {
     const BuiltMap& map = maps[i];
-    metrics_.times.during(
-        "write", [&] { write("map" + map.file_suffix + ".traverse", map.consumer->archive()); });
+    metrics_.times.during("write", [&] { write(archiveName(map), map.consumer->archive()); });
     const layers::LayerSet set =
         metrics_.times.during("layers", [&] { return layersOf(map, track, last_stamp); });
     metrics_.maps[i].cells_by_class = cellsByClass(set);
@@ -216,6 +220,7 @@ void Outputs::finish(
     sections.push_back(mapSection(metrics_.maps[i], set, std::move(pictures_)));
     pictures_.clear();
   }
+  write(kConfigFile, configIni(settings_));
   write("report.html", reportPage(settings_, metrics_, std::move(sections)));
   metrics_.files.emplace_back("metrics.json");
   folder_.write("metrics.json", toJson(metrics_));
@@ -224,6 +229,10 @@ void Outputs::finish(
 
 void Outputs::drawn(const std::function<void()>& draw)
 {
+  if (!settings_.run.pictures)
+  {
+    return;
+  }
   try
   {
     draw();

@@ -18,6 +18,12 @@
 
 namespace traverse::app
 {
+/** The file with the run's own ini (configIni()). */
+inline constexpr const char* kConfigFile = "config.ini";
+
+/** The file with a map's archive. */
+std::string archiveName(const BuiltMap& map);
+
 /** Where a run writes. Pictures need no display; where none can be made (no EGL), that is a warning
  * in the metrics, and layers, archive and report are written all the same. */
 class Outputs
@@ -54,7 +60,8 @@ class Outputs
       const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time) const;
   rendering::PictureSize pictureSize() const;
 
-  /** Runs `draw`; a machine that cannot draw costs a warning, not the run. */
+  /** Runs `draw` where pictures are wanted; a machine that cannot draw costs a warning, not the
+   * run. */
   void drawn(const std::function<void()>& draw);
 
   const Settings& settings_;

@@ -36,16 +36,6 @@ std::map<std::string, uint64_t> rejectsByReason(const RunMetrics& metrics)
   return counts;
 }
 
-double totalSeconds(const RunMetrics& metrics)
-{
-  double total = 0;
-  for (const auto& [stage, seconds] : metrics.times.seconds())
-  {
-    total += seconds;
-  }
-  return total;
-}
-
 formats::Section overview(const RunMetrics& metrics)
 {
   formats::Section section{"Overview", {}};
@@ -61,7 +51,7 @@ formats::Section overview(const RunMetrics& metrics)
   figures.figures = {
       {"scans", readableNumber(static_cast<double>(metrics.scans))},
       {"points", readableNumber(static_cast<double>(metrics.points))},
-      {"seconds", readableNumber(totalSeconds(metrics))},
+      {"seconds", readableNumber(metrics.times.total_s())},
       {"peak memory, MB", readableNumber(peakMemory_mb())}};
   section.blocks.emplace_back(figures);
   return section;
@@ -113,6 +103,16 @@ formats::BarChart classChart(const MapMetrics& map, const layers::LayerSet& laye
   }
   return chart;
 }
+
+std::string partOf(const RunMetrics& metrics)
+{
+  if (metrics.piece)
+  {
+    return fmt::format(", piece {} of {}", metrics.piece->number, metrics.piece->of);
+  }
+  return metrics.merged_pieces > 0 ? fmt::format(", merged from {} pieces", metrics.merged_pieces)
+                                   : "";
+}
 }  // namespace
 
 formats::Section mapSection(
@@ -149,7 +149,7 @@ std::string reportPage(
   formats::Report report;
   report.title =
       settings.run.title.empty() ? settings.rawlog.filename().string() : settings.run.title;
-  report.subtitle = settings.rawlog.string();
+  report.subtitle = settings.rawlog.string() + partOf(metrics);
   report.sections.push_back(overview(metrics));
   for (formats::Section& map : maps)
   {

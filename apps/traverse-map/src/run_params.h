@@ -15,8 +15,10 @@ struct RunParams
   std::string output;
   std::string title;
   bool deskew = true;
+  int threads = 2;
   int max_scans = 0;
   double snapshot_every_s = 0;
+  bool pictures = true;
   int picture_width_px = 1200;
   bool scene = true;
 };
@@ -29,6 +31,13 @@ void visitRunParams(P& p, F&& f)
   f(Option{"output", "the folder to write; relative names start at the working folder"}, p.output);
   f(Option{"title", "headline of the report; empty: the log's name"}, p.title);
   f(Option{"deskew", "place every point with the pose at its own time"}, p.deskew);
+  f(
+      Option{
+          "threads",
+          "1: one thing after the other; 2: reading and deskewing run ahead of the maps; each more "
+          "lets one more map take the scan at the same time. The results are the same",
+          {1, 64}},
+      p.threads);
   f(Option{"max_scans", "stop after so many scans; 0 = all", {0, 1e9}}, p.max_scans);
   f(
       Option{
@@ -36,6 +45,7 @@ void visitRunParams(P& p, F&& f)
           "a picture of the map every so many seconds of the log; 0 = only at the end",
           {0, 1e6}},
       p.snapshot_every_s);
+  f(Option{"pictures", "write pictures (map_top.png, map_3d.png, snapshots)"}, p.pictures);
   f(Option{"picture_width_px", "width of pictures, pixels", {200, 4096}}, p.picture_width_px);
   f(Option{"scene", "write the 3-D view for SceneViewer3D (map.3Dscene)"}, p.scene);
 }

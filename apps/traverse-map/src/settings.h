@@ -14,6 +14,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace traverse::app
@@ -38,6 +39,7 @@ struct Settings
   std::vector<std::string> warnings;
   std::filesystem::path rawlog;
   std::filesystem::path output;
+  std::optional<Piece> piece;
   bool force = false;
   bool quiet = false;
 };
@@ -45,6 +47,14 @@ struct Settings
 /** Reads and checks the ini, `--set` and the other overrides applied. Throws config::ConfigError
  * with file:line. Sections of stock MRPT maps are left to MRPT, with a warning. */
 Settings loadSettings(const Command& command);
+
+/** The run's own ini, complete: own sections with every key, the maps' with what was given. Another
+ * run with it, from any folder, makes the same maps. */
+std::string configIni(const Settings& settings);
+
+/** "[section] key" and value of all that maps depend on besides the log, the poses and the maps'
+ * own options. */
+std::vector<std::pair<std::string, std::string>> recipe(const Settings& settings);
 
 /** An ini with every key of the app and of every map at its default. */
 std::string defaultsIni();

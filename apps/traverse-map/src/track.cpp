@@ -34,6 +34,10 @@ std::vector<poses::StampedPose> posesOf(
   }
   logs::PoseReading reading = logs::readLogPoses(
       settings.rawlog, settings.poses.source, settings.log, settings.sensors, {&stop, false});
+  if (reading.report.complete())
+  {
+    metrics.log_entries = reading.report.objects;
+  }
   if (!reading.report.complete() && reading.report.end != logs::LogEnd::stopped)
   {
     metrics.problems.push_back("poses: " + reading.report.damage);

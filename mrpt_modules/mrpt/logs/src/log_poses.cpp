@@ -44,7 +44,7 @@ PoseReading readLogPoses(
     throw std::invalid_argument("readLogPoses: this pose source does not come from the log");
   }
   options::check(params);
-  const JobSettings settings{file, sensors, options.accept_bad_stamps};
+  const JobSettings settings{file, sensors, options.accept_bad_stamps, {}};
   Session session(
       file, params, options,
       [&](int log_fd, int frames_fd, SharedProgress& progress)

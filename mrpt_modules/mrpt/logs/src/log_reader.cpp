@@ -44,7 +44,8 @@ LogReader::LogReader(
   options::check(sensors);
   observations::checkTogether(sensors);
   impl_ = std::make_unique<Impl>(
-      file, params, options, JobSettings{file, sensors, options.accept_bad_stamps});
+      file, params, options,
+      JobSettings{file, sensors, options.accept_bad_stamps, options.entries});
 }
 
 LogReader::~LogReader() = default;

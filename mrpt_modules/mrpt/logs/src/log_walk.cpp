@@ -45,8 +45,13 @@ std::string shortType(const std::string& type)
 void LogWalk::run()
 {
   progress_.offset = archive_.source().offset();
-  while (const auto header = archive_.readHeader())
+  while (!listener_.done())
   {
+    const auto header = archive_.readHeader();
+    if (!header)
+    {
+      return;
+    }
     if (progress_.object == 0 && !belongsInLog(*header))
     {
       throw LogDamage("it begins with an object of class '" + header->type + "'");
@@ -87,6 +92,10 @@ void LogWalk::walkChildren(const ObjectHeader& header, int depth)
   const uint64_t children = uint64_t{archive_.ReadAs<uint32_t>()} + (whole_log ? 1 : 0);
   for (uint64_t i = 0; i < children; ++i)
   {
+    if (whole_log && listener_.done())
+    {
+      return;
+    }
     const auto child = archive_.readHeader();
     if (!child)
     {

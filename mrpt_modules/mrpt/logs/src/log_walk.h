@@ -37,6 +37,9 @@ class LogListener
 
   /** An entry of the log is done. */
   virtual void entryEnd() = 0;
+
+  /** Asked after each entry: the rest of the log need not be read. */
+  virtual bool done() const { return false; }
 };
 
 /** Walks the objects of a log. Containers (sensory frames, action collections, a whole CRawlog) are
@@ -50,7 +53,8 @@ class LogWalk
   {
   }
 
-  /** To the end of the log; throws LogDamage where that comes too early. */
+  /** To the end of the log, or until the listener is done; throws LogDamage where the end comes too
+   * early. */
   void run();
 
  private:

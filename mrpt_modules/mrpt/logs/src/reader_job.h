@@ -27,8 +27,11 @@ class FrameListener : public LogListener
 
   void entryEnd() override
   {
-    pipe_.frames().add(FrameType::object);
-    pipe_.flush();
+    if (!muted_)
+    {
+      pipe_.frames().add(FrameType::object);
+      pipe_.flush();
+    }
   }
 
   /** The log has come to its end, good or bad: send what was held back. */
@@ -37,6 +40,10 @@ class FrameListener : public LogListener
  protected:
   void count(Counted what, const std::string& type, const std::string& reason = "")
   {
+    if (muted_)
+    {
+      return;
+    }
     pipe_.frames().add(CountFrame{what, type, reason});
   }
 
@@ -45,9 +52,15 @@ class FrameListener : public LogListener
 
   FrameWriter& frames() { return pipe_.frames(); }
 
+  /** While muted, neither counts nor ends of entries are sent. */
+  void mute(bool muted) { muted_ = muted; }
+
+  bool muted() const { return muted_; }
+
  private:
   FramePipe& pipe_;
   std::map<std::string, poses::TimeNs> last_stamp_;  // by label
+  bool muted_ = false;
 };
 
 /** Walks the log and tells the listener; sends how it ended. */
@@ -59,6 +72,7 @@ struct JobSettings
   std::filesystem::path log;
   observations::ObservationParams sensors;
   bool accept_bad_stamps = false;
+  EntryRange entries;
 };
 
 std::unique_ptr<FrameListener> makeScanListener(FramePipe& pipe, const JobSettings& settings);

@@ -6,6 +6,7 @@
 #include <traverse/points/sweep.h>
 
 #include <string_view>
+#include <utility>
 
 namespace traverse::logs
 {
@@ -14,6 +15,7 @@ namespace
 using observations::Outcome;
 using observations::ScanResult;
 constexpr size_t kLongestLabel = 256;
+constexpr size_t kMostWaiting = 64;
 
 /** By MRPT's rule: beside `some.rawlog`, some_Images, some_images, some_IMAGES, or else Images.
  * (CRawlog::detectImagesDirectory() of 2.5.8 asks for files of these names, and finds no folder.)
@@ -61,28 +63,41 @@ class ScanListener : public FrameListener
   ScanListener(FramePipe& pipe, const JobSettings& settings) :
       FrameListener(pipe), settings_(settings), image_folder_(imageFolder(settings))
   {
+    mute(settings_.entries.first > 0);
   }
 
   void observation(const mrpt::obs::CObservation::Ptr& observation) override
   {
-    const std::string type = typeOf(*observation);
-    ScanResult result = observations::toScan(*observation, settings_.sensors, image_folder_);
-    if (result.outcome == Outcome::ignored)
+    if (muted() && canWait(*observation))
     {
-      count(Counted::ignored, type);
+      waiting_[keyOf(*observation)] = observation;
+      return;
     }
-    else if (result.outcome == Outcome::rejected)
+    decode(observation);
+  }
+
+  void entryEnd() override
+  {
+    FrameListener::entryEnd();
+    ++entry_;
+    if (muted() && entry_ >= settings_.entries.first)
     {
-      count(Counted::rejected, type, result.reason);
-    }
-    else
-    {
-      take(type, result.decoded);
+      for (const auto& [key, observation] : std::exchange(waiting_, {}))
+      {
+        decode(observation);
+      }
+      mute(false);
     }
   }
 
+  bool done() const override { return entry_ >= settings_.entries.end; }
+
   void logEnd() override
   {
+    if (done())
+    {
+      return;  // the rest of the log goes on with these sweeps
+    }
     for (auto& [label, collector] : sweeps_)
     {
       send("CObservation2DRangeScan", collector.finish());
@@ -96,7 +111,53 @@ class ScanListener : public FrameListener
     size_t hash = 0;
   };
 
-  void take(const std::string& type, points::Decoded& decoded)
+  static std::string labelOf(const mrpt::obs::CObservation& observation)
+  {
+    return observation.sensorLabel.substr(0, kLongestLabel);
+  }
+
+  static std::string keyOf(const mrpt::obs::CObservation& observation)
+  {
+    return typeOf(observation) + ' ' + labelOf(observation);
+  }
+
+  /** Before the first entry that is wanted, only the latest observation of a sensor matters: a scan
+   * is compared with the one before it. Rows of sweeps matter all. */
+  bool canWait(const mrpt::obs::CObservation& observation) const
+  {
+    const bool room = waiting_.size() < kMostWaiting || waiting_.count(keyOf(observation)) > 0;
+    return room && !observations::hasLabel(settings_.sensors.tilting_labels, labelOf(observation));
+  }
+
+  void decode(const mrpt::obs::CObservation::Ptr& observation)
+  {
+    const std::string type = typeOf(*observation);
+    const std::string key = keyOf(*observation);
+    const auto known = last_.find(key);
+    const Last before = known == last_.end() ? Last{} : known->second;
+    if (known != last_.end())
+    {
+      last_.erase(known);
+    }
+    ScanResult result = observations::toScan(*observation, settings_.sensors, image_folder_);
+    if (result.outcome == Outcome::ignored)
+    {
+      count(Counted::ignored, type);
+    }
+    else if (result.outcome == Outcome::rejected)
+    {
+      count(Counted::rejected, type, result.reason);
+    }
+    else
+    {
+      const Last now = {result.decoded.scan.stamp, hashOf(result.decoded)};
+      last_[key] = now;
+      take(type, result.decoded, now.stamp == before.stamp && now.hash == before.hash);
+    }
+  }
+
+  /** `again`: it equals its predecessor. */
+  void take(const std::string& type, points::Decoded& decoded, bool again)
   {
     points::ScanBuffer& scan = decoded.scan;
     scan.sensor_label.resize(std::min(scan.sensor_label.size(), kLongestLabel));
@@ -107,11 +168,7 @@ class ScanListener : public FrameListener
       count(Counted::rejected, type, "its time stamp is no clock's");
       return;
     }
-    const Last now = {scan.stamp, hashOf(decoded)};
-    Last& before = last_[scan.sensor_label];
-    const bool again = now.stamp != 0 && now.stamp == before.stamp && now.hash == before.hash;
-    before = now;
-    if (again)
+    if (again && scan.stamp != 0)
     {
       count(Counted::rejected, type, "it is the scan before once more");
       return;
@@ -127,7 +184,7 @@ class ScanListener : public FrameListener
 
   void send(const std::string& type, const std::optional<points::Decoded>& decoded)
   {
-    if (decoded)
+    if (decoded && !muted())
     {
       frames().add(*decoded);
       count(Counted::delivered, type);
@@ -136,8 +193,10 @@ class ScanListener : public FrameListener
 
   JobSettings settings_;
   std::filesystem::path image_folder_;
-  std::map<std::string, Last> last_;  // by label
+  std::map<std::string, Last> last_;  // by keyOf()
   std::map<std::string, points::SweepCollector> sweeps_;
+  std::map<std::string, mrpt::obs::CObservation::Ptr> waiting_;  // by keyOf()
+  uint64_t entry_ = 0;
 };
 }  // namespace
 

@@ -5,6 +5,8 @@
 #include <traverse/options/option.h>
 
 #include <atomic>
+#include <cstdint>
+#include <limits>
 
 namespace traverse::logs
 {
@@ -47,6 +49,13 @@ void visit(const LogParams& p, F&& f)
   visitLogParams(p, f);
 }
 
+/** Entries [first, end) of a log (observations, actions, sensory frames), in file order from 0. */
+struct EntryRange
+{
+  uint64_t first = 0;
+  uint64_t end = std::numeric_limits<uint64_t>::max();  //!< by default also what is damaged there
+};
+
 /** How the caller wants to be served. */
 struct ReadOptions
 {
@@ -55,5 +64,9 @@ struct ReadOptions
   /** Takes scans whose stamp is no clock's (they get stamp 0) instead of rejecting them: for
    * PoseSource::identity, where no pose is looked up by time. */
   bool accept_bad_stamps = false;
+  /** LogReader: the scans of these entries only, the same as a reader of all would give while it is
+   * at them (a tilting sweep comes with the row that shows its end). Entries before are not decoded
+   * where nothing depends on them, those behind are not read. */
+  EntryRange entries;
 };
 }  // namespace traverse::logs

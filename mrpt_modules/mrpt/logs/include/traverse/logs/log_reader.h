@@ -41,4 +41,9 @@ class LogReader
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/** Walks a log without decoding anything, like LogReader otherwise: report.objects is the number of
+ * its entries, up to a damage. Throws LogError. */
+LogReport countEntries(
+    const std::filesystem::path& file, const LogParams& params, const ReadOptions& options = {});
 }  // namespace traverse::logs

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verdict.h"
+
+#include <traverse/common_app/interrupt.h>
+
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+namespace
+{
+/** What a user must know of a map that did not take everything. */
+void noteAbout(const MapMetrics& map, RunMetrics& metrics)
+{
+  constexpr uint64_t kTenth = 10;  // a log's first and last scans often have no pose
+  if (map.scans == 0 && map.outside > 0)
+  {
+    metrics.problems.push_back(
+        fmt::format("{}: all {} points lie outside its extent", map.name, map.outside));
+    metrics.complete = false;
+  }
+  else if (map.scans == 0)
+  {
+    metrics.problems.push_back(fmt::format(
+        "{}: no scan was inserted ({} of {} had no valid pose; [Poses] source = {})", map.name,
+        map.scans_no_pose, metrics.scans, metrics.pose_source));
+    if (metrics.poses["kept"] == 0)
+    {
+      metrics.problems.push_back(fmt::format(
+          "the log has no poses of source '{}': try [Poses] source = icp_2d, or identity for a "
+          "robot that stands still",
+          metrics.pose_source));
+    }
+    metrics.complete = false;
+  }
+  else if (map.scans_no_pose > 0)
+  {
+    metrics.warnings.push_back(fmt::format(
+        "{}: {} of {} scans had no valid pose", map.name, map.scans_no_pose, metrics.scans));
+  }
+  if (map.scans_no_pose * kTenth > metrics.scans)
+  {
+    metrics.complete = false;
+  }
+  if (map.over_budget > 0)
+  {
+    metrics.complete = false;
+    metrics.warnings.push_back(
+        fmt::format("{}: {} points found no room; raise max_memory_mb", map.name, map.over_budget));
+  }
+}
+}  // namespace
+
+void noteWhatIsMissing(RunMetrics& metrics)
+{
+  if (Interrupt::exitCode())
+  {
+    metrics.complete = false;
+    metrics.problems.emplace_back(
+        metrics.scans == 0 ? "interrupted before anything was mapped"
+                           : "interrupted: what was finished is saved");
+  }
+  if (metrics.scans == 0 && metrics.problems.empty() && !hasResults(metrics))
+  {
+    metrics.problems.push_back(
+        fmt::format("{}: no observation in it became points", metrics.rawlog));
+  }
+  if (metrics.scans == 0)
+  {
+    return;
+  }
+  if (const uint64_t skewed = metrics.deskew["no_poses"]; skewed > 0)
+  {
+    metrics.warnings.push_back(fmt::format(
+        "{} of {} scans are not corrected for motion: no poses at the times of their points",
+        skewed, metrics.scans));
+  }
+  for (const MapMetrics& map : metrics.maps)
+  {
+    noteAbout(map, metrics);
+  }
+}
+
+bool hasResults(const RunMetrics& metrics)
+{
+  return metrics.scans > 0 || (metrics.piece && metrics.piece->whole);
+}
+
+ExitCode verdict(const RunMetrics& metrics)
+{
+  if (const auto interrupted = Interrupt::exitCode())
+  {
+    return *interrupted;
+  }
+  if (!hasResults(metrics))
+  {
+    return ExitCode::unreadable;
+  }
+  return metrics.complete ? ExitCode::done : ExitCode::partial;
+}
+}  // namespace traverse::app

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "metrics.h"
+
+#include <traverse/common_app/exit_code.h>
+
+namespace traverse::app
+{
+/** Adds to the metrics' problems and warnings what a user must know of a run that did not take
+ * everything. */
+void noteWhatIsMissing(RunMetrics& metrics);
+
+/** The exit code of a run that came to its end. */
+ExitCode verdict(const RunMetrics& metrics);
+
+/** The run has something to save: scans, or a piece of a log that has none in it. */
+bool hasResults(const RunMetrics& metrics);
+}  // namespace traverse::app
