@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
+#include "label_files.h"
 #include "map_set.h"
 #include "mapping.h"
 #include "merging.h"
@@ -57,13 +58,22 @@ ExitCode mapIt(const Settings& settings)
     metrics.piece =
         metrics.times.during("count", [&] { return describePiece(settings, track, metrics); });
   }
+  std::optional<LabelFiles> labels;
+  if (!settings.point_labels.empty())
+  {
+    labels.emplace(settings.point_labels, settings.force);
+  }
   poses::TimeNs last_stamp = 0;
   mapLog(
       settings, track, maps, metrics,
-      [&](poses::TimeNs stamp)
+      [&](const points::Decoded& decoded)
       {
-        last_stamp = stamp;
-        outputs.snapshot(maps, track, stamp);
+        last_stamp = decoded.scan.stamp;
+        if (labels)
+        {
+          labels->write(decoded, track, maps);
+        }
+        outputs.snapshot(maps, track, last_stamp);
       });
   noteWhatIsMissing(metrics);
   if (hasResults(metrics))

@@ -74,7 +74,15 @@ void declare(CLI::App& cli, Command& command)
   cli.add_flag("--print-options", command.print_options, "print the table of all keys as Markdown");
   cli.add_flag("--force", command.force, "replace an output folder that is there");
   cli.add_flag("--quiet", command.quiet, "no progress on stderr");
+  cli.add_option(
+         "--point-labels", command.point_labels,
+         "write a label for each point of each cloud: 0 undefined, 1 ground, 2 obstacle, 3 "
+         "overhanging")
+      ->type_name("DIR");
   declarePieces(cli, command);
+  cli.get_option("--point-labels")
+      ->excludes(cli.get_option("--piece"))
+      ->excludes(cli.get_option("--merge"));
   cli.set_version_flag("--version", "traverse-map " TRAVERSE_VERSION);
   cli.footer(kFooter);
 }

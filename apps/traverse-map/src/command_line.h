@@ -27,6 +27,7 @@ struct Command
   std::string output;                        //!< instead of the ini's
   std::vector<std::string> assignments;      //!< --set section.key=value
   std::optional<Piece> piece;                //!< --piece K/N
+  std::filesystem::path point_labels;        //!< --point-labels: folder of label files
   std::vector<std::filesystem::path> merge;  //!< --merge: folders of pieces
   bool check_config = false;
   bool print_defaults = false;

@@ -180,7 +180,7 @@ void mapLog(
     while (const std::optional<PreparedScan> scan = feed.next())
     {
       mapScan(*scan, {settings, track}, maps, metrics);
-      after_scan(scan->decoded.scan.stamp);
+      after_scan(scan->decoded);
       progress.show(scan->fraction_read, metrics.scans);
     }
   }

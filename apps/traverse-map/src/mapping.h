@@ -6,6 +6,7 @@
 #include "metrics.h"
 #include "settings.h"
 
+#include <traverse/points/decoded.h>
 #include <traverse/poses/pose_track.h>
 
 #include <atomic>
@@ -13,8 +14,8 @@
 
 namespace traverse::app
 {
-/** Called after each scan with its stamp; for snapshots. */
-using AfterScan = std::function<void(poses::TimeNs)>;
+/** Called after each scan with what it was, deskewed; for labels and snapshots. */
+using AfterScan = std::function<void(const points::Decoded&)>;
 
 /** Feeds every scan of the log, decoded once and deskewed, to all maps. Damage of the log ends the
  * loop and is told in `metrics`; what came before it is in the maps. */

@@ -165,6 +165,7 @@ Settings loadSettings(const Command& command)
                         ? fromIniFolder(settings.ini, "traverse-map", "rawlog", settings.run.rawlog)
                         : command.rawlog;
   settings.output = command.output.empty() ? settings.run.output : command.output;
+  settings.point_labels = command.point_labels;
   settings.piece = command.piece;
   settings.force = command.force;
   settings.quiet = command.quiet;

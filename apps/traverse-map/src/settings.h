@@ -39,6 +39,7 @@ struct Settings
   std::vector<std::string> warnings;
   std::filesystem::path rawlog;
   std::filesystem::path output;
+  std::filesystem::path point_labels;  //!< empty: none
   std::optional<Piece> piece;
   bool force = false;
   bool quiet = false;

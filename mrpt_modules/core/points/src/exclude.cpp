@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace traverse::points
 {
@@ -40,12 +41,19 @@ void excludeFromScan(Decoded& decoded, const Eigen::AlignedBox3f& box)
   {
     return;
   }
+  if (scan.input_index.empty())
+  {
+    scan.input_points = static_cast<uint32_t>(scan.size());
+    scan.input_index.resize(scan.size());
+    std::iota(scan.input_index.begin(), scan.input_index.end(), 0U);
+  }
   for (std::vector<float>* channel : {&scan.x, &scan.y, &scan.z, &scan.time_s, &scan.intensity})
   {
     keep(*channel, kept);
   }
   keep(scan.ring, kept);
   keep(scan.rgb, kept);
+  keep(scan.input_index, kept);
 }
 
 void excludeFromImage(RangeImage& image, const Eigen::AlignedBox3f& box)

@@ -11,6 +11,7 @@ namespace traverse::logs
 namespace
 {
 constexpr uint64_t kLongestText = 4096;
+constexpr uint32_t kMostInputPoints = 1U << 28U;
 
 /** Takes values off a payload; nothing is read or allocated beyond what is there. */
 class Payload
@@ -117,9 +118,19 @@ void takeScan(Payload& payload, points::ScanBuffer& scan)
   }
   scan.ring = payload.takeVector<uint16_t>();
   scan.rgb = payload.takeVector<uint32_t>();
+  scan.input_index = payload.takeVector<uint32_t>();
+  scan.input_points = payload.take<uint32_t>();
   checkLengths(
       scan.size(), {scan.y.size(), scan.z.size()},
-      {scan.time_s.size(), scan.intensity.size(), scan.ring.size(), scan.rgb.size()});
+      {scan.time_s.size(), scan.intensity.size(), scan.ring.size(), scan.rgb.size(),
+       scan.input_index.size()});
+  const bool indexed = std::all_of(
+      scan.input_index.begin(), scan.input_index.end(),
+      [&](uint32_t i) { return i < scan.input_points; });
+  if (!indexed || scan.input_points > kMostInputPoints)
+  {
+    throw WireError("points of a scan come from nowhere");
+  }
   if (!scan.T_base_sensor.matrix().allFinite() || !allFinite(scan.x) || !allFinite(scan.y) ||
       !allFinite(scan.z) || !allFinite(scan.time_s))
   {

@@ -47,6 +47,8 @@ void FrameWriter::add(const points::Decoded& decoded)
   }
   put(scan.ring);
   put(scan.rgb);
+  put(scan.input_index);
+  put(scan.input_points);
   const points::RangeImage& image = decoded.image;
   put(image.T_base_sensor);
   put(image.rows);

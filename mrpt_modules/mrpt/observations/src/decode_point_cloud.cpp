@@ -108,7 +108,14 @@ void takePoints(const CPointsMap& cloud, const points::RangeLimits& limits, poin
     out.scan.y.push_back(static_cast<float>(p.y()));
     out.scan.z.push_back(static_cast<float>(p.z()));
     channels.add(i, out.scan);
+    out.scan.input_index.push_back(static_cast<uint32_t>(i));
   }
+  if (out.scan.size() == x.size())
+  {
+    out.scan.input_index.clear();
+    return;
+  }
+  out.scan.input_points = static_cast<uint32_t>(x.size());
 }
 }  // namespace
 

@@ -81,6 +81,11 @@ struct ScanBuffer
   std::vector<float> intensity;
   std::vector<uint32_t> rgb;
 
+  /** Which point of the observation's own cloud each point is; empty: the same, none was left out.
+   */
+  std::vector<uint32_t> input_index;
+  uint32_t input_points = 0;  //!< of that cloud, where input_index is not empty
+
   Scan view() const;
 
   size_t size() const { return x.size(); }
