@@ -28,6 +28,8 @@ struct Command
   std::vector<std::string> assignments;      //!< --set section.key=value
   std::optional<Piece> piece;                //!< --piece K/N
   std::vector<std::filesystem::path> merge;  //!< --merge: folders of pieces
+  std::string rebuild;                       //!< --rebuild: an octree to map instead of a log
+  std::string why;                           //!< --why X,Y; config is the output folder
   bool check_config = false;
   bool print_defaults = false;
   bool print_options = false;

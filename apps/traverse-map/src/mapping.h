@@ -13,6 +13,10 @@
 
 namespace traverse::app
 {
+/** Inserts a scan and adds up what became of it. */
+void insert(
+    const points::Scan& scan, const poses::PoseTrack& track, BuiltMap& map, MapMetrics& metrics);
+
 /** Called after each scan with its stamp; for snapshots. */
 using AfterScan = std::function<void(poses::TimeNs)>;
 
