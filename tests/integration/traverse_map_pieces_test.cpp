@@ -75,6 +75,25 @@ TEST_F(TraverseMapPieces, MergedAreTheWholeLog)
   }
 }
 
+TEST_F(TraverseMapPieces, OctreesOfPiecesMergeToo)
+{
+  const std::string ini_text = iniOf("odometry", "extent = growing\n") +
+                               "[Maps_CTraversabilityGridMap_00_octomapOpts]\nresolution_m = 0.1\n";
+  ASSERT_EQ(map("whole", mrptData(kLaserLog), ini_text).exit_code, 0);
+  for (const char* k : {"1", "2"})
+  {
+    const std::string piece = std::string(k) + "/2";
+    ASSERT_EQ(map(k, mrptData(kLaserLog), ini_text, {"--piece", piece}).exit_code, 0);
+  }
+  const Finished merged = merge({"1", "2"}, "merged");
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  for (const char* file : {"map.bt", "map.ot"})
+  {
+    EXPECT_GT(readText(scratch_ / "whole" / file).size(), 1000U);
+    EXPECT_EQ(readText(scratch_ / "merged" / file), readText(scratch_ / "whole" / file)) << file;
+  }
+}
+
 TEST_F(TraverseMapPieces, MetricsAddUpToThoseOfTheWholeLog)
 {
   ASSERT_EQ(map("whole", mrptData(kLaserLog), laserIni()).exit_code, 0);

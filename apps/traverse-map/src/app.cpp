@@ -7,9 +7,11 @@
 #include "merging.h"
 #include "outputs.h"
 #include "piece.h"
+#include "rebuild.h"
 #include "settings.h"
 #include "track.h"
 #include "verdict.h"
+#include "why.h"
 
 #include <traverse/common_app/interrupt.h>
 #include <traverse/formats/archive.h>
@@ -100,6 +102,41 @@ ExitCode mergeThem(const Command& command)
   return verdict(metrics);
 }
 
+/** Maps from an octree: the whole of it is there or the file is refused. */
+ExitCode rebuildIt(const Settings& settings)
+{
+  RunMetrics metrics;
+  metrics.rawlog = settings.rebuild.string();
+  metrics.pose_source = "octree";
+  metrics.warnings = settings.warnings;
+  const Interrupt interrupt;
+  std::vector<BuiltMap> maps = buildMaps(settings);
+  checkRebuildable(maps);
+  Outputs outputs(settings, metrics);
+  mapOctree(settings, maps, metrics);
+  noteWhatIsMissing(metrics);
+  if (hasResults(metrics))
+  {
+    outputs.finish(maps, poses::PoseTrack::constant(Eigen::Isometry3d::Identity()), 0);
+    std::cout << (outputs.folder() / "report.html").string() << "\n";
+  }
+  tell("warning", metrics.warnings);
+  tell("problem", metrics.problems);
+  return verdict(metrics);
+}
+
+ExitCode explainCell(const Command& command)
+{
+  const auto place_m = parsePlace(command.why);
+  if (!place_m)
+  {
+    tell("error", {fmt::format("--why wants X,Y in metres, e.g. 3.5,-2; not '{}'", command.why)});
+    return ExitCode::usage;
+  }
+  std::cout << why(command.config, *place_m);
+  return ExitCode::done;
+}
+
 ExitCode runCommand(const Command& command)
 {
   if (command.print_defaults || command.print_options)
@@ -110,6 +147,10 @@ ExitCode runCommand(const Command& command)
   if (!command.merge.empty())
   {
     return mergeThem(command);
+  }
+  if (!command.why.empty())
+  {
+    return explainCell(command);
   }
   const Settings settings = loadSettings(command);
   if (command.check_config)
@@ -127,7 +168,7 @@ ExitCode runCommand(const Command& command)
                       : "no output folder: give --output DIR, or output in [traverse-map]"});
     return ExitCode::usage;
   }
-  return mapIt(settings);
+  return settings.rebuild.empty() ? mapIt(settings) : rebuildIt(settings);
 }
 }  // namespace
 

@@ -57,6 +57,29 @@ void declarePieces(CLI::App& cli, Command& command)
   }
 }
 
+/** What starts from an earlier run's files. */
+void declareMapsOfMaps(CLI::App& cli, Command& command)
+{
+  auto* rebuild = cli.add_option(
+      "--rebuild", command.rebuild,
+      "make the ini's maps from an octree (.bt, .ot) instead of a log, for other thresholds or "
+      "larger cells");
+  rebuild->type_name("FILE");
+  auto* why = cli.add_option(
+      "--why", command.why,
+      "say why the cell at X,Y (m, map frame) is what it is: --why X,Y DIR, with the output "
+      "folder DIR in place of the ini");
+  why->type_name("X,Y");
+  for (const char* other : {"--rawlog", "--piece", "--merge", "--why"})
+  {
+    rebuild->excludes(cli.get_option(other));
+  }
+  for (const char* other : {"--output", "--set", "--merge", "--piece", "--check-config"})
+  {
+    why->excludes(cli.get_option(other));
+  }
+}
+
 void declare(CLI::App& cli, Command& command)
 {
   cli.add_option("CONFIG.ini", command.config, "what to map and how");
@@ -83,6 +106,7 @@ void declare(CLI::App& cli, Command& command)
   cli.get_option("--point-labels")
       ->excludes(cli.get_option("--piece"))
       ->excludes(cli.get_option("--merge"));
+  declareMapsOfMaps(cli, command);
   cli.set_version_flag("--version", "traverse-map " TRAVERSE_VERSION);
   cli.footer(kFooter);
 }

@@ -29,6 +29,8 @@ struct Command
   std::optional<Piece> piece;                //!< --piece K/N
   std::filesystem::path point_labels;        //!< --point-labels: folder of label files
   std::vector<std::filesystem::path> merge;  //!< --merge: folders of pieces
+  std::string rebuild;                       //!< --rebuild: an octree to map instead of a log
+  std::string why;                           //!< --why X,Y; config is the output folder
   bool check_config = false;
   bool print_defaults = false;
   bool print_options = false;

@@ -44,18 +44,6 @@ const char* nameOf(poses::PoseQuality quality)
   return "?";
 }
 
-void insert(
-    const points::Scan& scan, const poses::PoseTrack& track, BuiltMap& map, MapMetrics& metrics)
-{
-  const layers::UpdateStats stats = map.consumer->insertScan(scan, track);
-  metrics.scans += static_cast<uint64_t>(stats.inserted);
-  metrics.scans_no_pose += static_cast<uint64_t>(stats.no_pose);
-  metrics.points += stats.points;
-  metrics.outside += stats.outside;
-  metrics.bad_points += stats.bad_points;
-  metrics.over_budget += stats.over_budget;
-}
-
 /** All maps; `threads` - 1 of them at a time, as one thread reads. */
 void insertIntoAll(
     const points::Scan& scan,
@@ -155,6 +143,18 @@ void mapScan(
       });
 }
 }  // namespace
+
+void insert(
+    const points::Scan& scan, const poses::PoseTrack& track, BuiltMap& map, MapMetrics& metrics)
+{
+  const layers::UpdateStats stats = map.consumer->insertScan(scan, track);
+  metrics.scans += static_cast<uint64_t>(stats.inserted);
+  metrics.scans_no_pose += static_cast<uint64_t>(stats.no_pose);
+  metrics.points += stats.points;
+  metrics.outside += stats.outside;
+  metrics.bad_points += stats.bad_points;
+  metrics.over_budget += stats.over_budget;
+}
 
 void mapLog(
     const Settings& settings,

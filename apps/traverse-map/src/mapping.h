@@ -14,6 +14,10 @@
 
 namespace traverse::app
 {
+/** Inserts a scan and adds up what became of it. */
+void insert(
+    const points::Scan& scan, const poses::PoseTrack& track, BuiltMap& map, MapMetrics& metrics);
+
 /** Called after each scan with what it was, deskewed; for labels and snapshots. */
 using AfterScan = std::function<void(const points::Decoded&)>;
 

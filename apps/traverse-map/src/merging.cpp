@@ -154,10 +154,15 @@ void checkSameRecipe(
 
 void mergeMap(const PieceFolder& folder, BuiltMap& map)
 {
-  const fs::path file = folder.path / archiveName(map);
+  fs::path file = folder.path / archiveName(map);
   try
   {
     map.consumer->mergeArchive(readInput(file));
+    file.replace_extension(map.consumer->mergedEnding());
+    if (file.has_extension() && fs::exists(file))  // a piece without points has none
+    {
+      map.consumer->mergeExtra(readInput(file));
+    }
   }
   catch (const FormatError& e)
   {

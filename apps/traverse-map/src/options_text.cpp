@@ -77,11 +77,15 @@ std::string line(const std::string& key, const std::string& value)
 std::string configIni(const Settings& settings)
 {
   Settings s = settings;
-  s.run.rawlog = absolutePath(s.rawlog.string());
+  s.run.rawlog = s.rebuild.empty() ? absolutePath(s.rawlog.string()) : "";
   s.run.output = absolutePath(s.output.string());
   s.poses.file = absolutePath(s.poses.file);
   s.poses.times_file = absolutePath(s.poses.times_file);
   std::string text = "// What this folder was made with.\n";
+  if (!s.rebuild.empty())
+  {
+    text += "// And --rebuild, not a log.\n";
+  }
   for (const Section& section : ownSections(s))
   {
     text += fmt::format("\n[{}]\n", section.name);

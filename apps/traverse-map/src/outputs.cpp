@@ -84,6 +84,18 @@ void Outputs::writeLayers(const BuiltMap& map, const layers::LayerSet& set)
   }
 }
 
+void Outputs::writeExtras(const BuiltMap& map)
+{
+  for (const layers::ExtraFile& file : map.consumer->extraFiles())
+  {
+    write("map" + map.file_suffix + file.ending, file.bytes);
+  }
+  for (const std::string& warning : map.consumer->warnings())
+  {
+    metrics_.warnings.push_back(map.name + map.file_suffix + ": " + warning);
+  }
+}
+
 rendering::SceneContent Outputs::sceneOf(
     const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time) const
 {
@@ -206,6 +218,7 @@ void Outputs::finish(
   {
     const BuiltMap& map = maps[i];
     metrics_.times.during("write", [&] { write(archiveName(map), map.consumer->archive()); });
+    metrics_.times.during("write", [&] { writeExtras(map); });
     const layers::LayerSet set =
         metrics_.times.during("layers", [&] { return layersOf(map, track, last_stamp); });
     metrics_.maps[i].cells_by_class = cellsByClass(set);

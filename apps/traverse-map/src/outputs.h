@@ -50,6 +50,8 @@ class Outputs
    * noted. */
   layers::LayerSet layersOf(const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time);
   void writeLayers(const BuiltMap& map, const layers::LayerSet& set);
+  /** Files of the map's own (its octree), and what it warns of. */
+  void writeExtras(const BuiltMap& map);
   void writePictures(
       const BuiltMap& map,
       const layers::LayerSet& set,

@@ -164,6 +164,8 @@ Settings loadSettings(const Command& command)
   settings.rawlog = command.rawlog.empty()
                         ? fromIniFolder(settings.ini, "traverse-map", "rawlog", settings.run.rawlog)
                         : command.rawlog;
+  settings.rebuild = command.rebuild;
+  settings.rawlog = command.rebuild.empty() ? settings.rawlog : settings.rebuild;
   settings.output = command.output.empty() ? settings.run.output : command.output;
   settings.point_labels = command.point_labels;
   settings.piece = command.piece;

@@ -38,6 +38,7 @@ struct Settings
   std::vector<WantedMap> maps;
   std::vector<std::string> warnings;
   std::filesystem::path rawlog;
+  std::filesystem::path rebuild;  //!< the octree to map instead of the log; empty: the log
   std::filesystem::path output;
   std::filesystem::path point_labels;  //!< empty: none
   std::optional<Piece> piece;

@@ -63,8 +63,7 @@ void noteWhatIsMissing(RunMetrics& metrics)
   }
   if (metrics.scans == 0 && metrics.problems.empty() && !hasResults(metrics))
   {
-    metrics.problems.push_back(
-        fmt::format("{}: no observation in it became points", metrics.rawlog));
+    metrics.problems.push_back(fmt::format("{}: nothing in it became points", metrics.rawlog));
   }
   if (metrics.scans == 0)
   {

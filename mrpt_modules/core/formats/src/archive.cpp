@@ -109,6 +109,14 @@ std::string ArchiveWriter::finish()
   return bytes;
 }
 
+std::string archiveKind(std::string_view bytes)
+{
+  checkFrame(bytes);
+  ByteReader in(bytes, "archive");
+  in.raw(kSizeAt + sizeof(uint64_t));
+  return in.str(kMaxKind);
+}
+
 ArchiveReader::ArchiveReader(
     std::string_view bytes, std::string_view expected_kind, uint32_t newest_known_version)
 {

@@ -3,6 +3,7 @@
 #include <traverse/maps/CTraversabilityGridMap.h>
 #include <traverse/observations/convert.h>
 #include <traverse/observations/to_scan.h>
+#include <traverse/traversability_grid/explain.h>
 #include <traverse/traversability_grid/point_labels.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -12,6 +13,7 @@
 #include <mrpt/obs/CObservationVelodyneScan.h>
 #include <mrpt/tfest/TMatchingPair.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 
@@ -27,7 +29,14 @@ layers::UpdateStats CTraversabilityGridMap::insertScan(
     skipped.no_pose = true;
     return skipped;
   }
-  return traversability_grid::update(state_, scan, pose->T_map_base, insertionOptions, vehicle);
+  octree_.adopt(octomapOptions);
+  const layers::UpdateStats stats =
+      traversability_grid::update(state_, scan, pose->T_map_base, insertionOptions, vehicle);
+  if (!stats.no_pose)
+  {
+    octree_.insert(scan, pose->T_map_base);
+  }
+  return stats;
 }
 
 std::vector<uint32_t> CTraversabilityGridMap::pointLabels(
@@ -68,12 +77,48 @@ std::string CTraversabilityGridMap::mergeObstacle() const
   return traversability_grid::mergeObstacle(insertionOptions);
 }
 
+std::vector<layers::Fact> CTraversabilityGridMap::explain(double x_m, double y_m) const
+{
+  const geometry::CellIndex cell =
+      state_.lattice.cellOf(geometry::toMillimetres(x_m), geometry::toMillimetres(y_m));
+  return traversability_grid::explain(state_, insertionOptions, vehicle, cell);
+}
+
+std::vector<layers::ExtraFile> CTraversabilityGridMap::extraFiles() const
+{
+  return octree_.files();
+}
+
+std::string CTraversabilityGridMap::mergedEnding() const
+{
+  return octomapOptions.resolution_m > 0 ? ".bt" : "";
+}
+
+void CTraversabilityGridMap::mergeExtra(std::string_view bytes)
+{
+  octree_.adopt(octomapOptions);
+  octree_.merge(bytes);
+}
+
+std::vector<std::string> CTraversabilityGridMap::warnings() const
+{
+  return octree_.warnings();
+}
+
+double CTraversabilityGridMap::pieceEdge_m() const
+{
+  constexpr double kRounded = 3;  // cells: the window is whole cells around the pose's
+  return std::max(0.0, insertionOptions.window_m - kRounded * insertionOptions.cell_size_m);
+}
+
 void CTraversabilityGridMap::setFromArchive(std::string_view bytes)
 {
   traversability_grid::Map map = traversability_grid::fromArchive(bytes);
+  formats::PointOctree empty_octree(octomapOptions);
   insertionOptions = map.params;
   vehicle = std::move(map.vehicle);
   state_ = std::move(map.state);
+  octree_ = std::move(empty_octree);
 }
 
 bool CTraversabilityGridMap::isEmpty() const
@@ -91,6 +136,7 @@ std::string CTraversabilityGridMap::asString() const
 void CTraversabilityGridMap::internal_clear()
 {
   state_ = traversability_grid::makeState(insertionOptions, vehicle);
+  octree_ = formats::PointOctree(octomapOptions);
 }
 
 bool CTraversabilityGridMap::internal_insertObservation(

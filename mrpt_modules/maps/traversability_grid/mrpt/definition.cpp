@@ -37,18 +37,22 @@ void CTraversabilityGridMap::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& prefix)
 {
   config::checkSectionNames(
-      source, prefix, {"_creationOpts", "_insertOpts", "_likelihoodOpts", "_renderOpts"});
+      source, prefix,
+      {"_creationOpts", "_insertOpts", "_likelihoodOpts", "_renderOpts", "_octomapOpts"});
   config::CreationParams read_by_mrpt;
   config::load(source, prefix + "_creationOpts", read_by_mrpt);
   config::load(source, prefix + "_insertOpts", insertionOpts);
   config::load(source, prefix + "_likelihoodOpts", likelihoodOpts);
   config::load(source, prefix + "_renderOpts", render_opts);
+  config::load(source, prefix + "_octomapOpts", octomap_opts);
   config::load(source, "Vehicle", vehicle);
   config::load(source, "Sensors", sensors);
   std::string section = prefix + "_insertOpts";
   try
   {
     traversability_grid::check(insertionOpts);
+    section = prefix + "_octomapOpts";
+    formats::check(octomap_opts, insertionOpts.cell_size_m);
     section = "Sensors";
     observations::checkTogether(sensors);
   }
@@ -63,6 +67,7 @@ void CTraversabilityGridMap::TMapDefinition::dumpToTextStream_map_specific(std::
   dump(out, "insertOpts", insertionOpts);
   dump(out, "likelihoodOpts", likelihoodOpts);
   dump(out, "renderOpts", render_opts);
+  dump(out, "octomapOpts", octomap_opts);
   dump(out, "Vehicle", vehicle);
   dump(out, "Sensors", sensors);
 }
@@ -75,6 +80,7 @@ mrpt::maps::CMetricMap* CTraversabilityGridMap::internal_CreateFromMapDefinition
   map->insertionOptions = own.insertionOpts;
   map->likelihoodOptions = own.likelihoodOpts;
   map->renderOptions = own.render_opts;
+  map->octomapOptions = own.octomap_opts;
   map->vehicle = own.vehicle;
   map->sensors = own.sensors;
   map->internal_clear();

@@ -82,6 +82,10 @@ void CTraversabilityGridMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& s
 void CTraversabilityGridMap::saveMetricMapRepresentationToFile(const std::string& prefix) const
 {
   formats::writeFile(prefix + ".traverse", archive());
+  for (const layers::ExtraFile& file : extraFiles())
+  {
+    formats::writeFile(prefix + file.ending, file.bytes);
+  }
   if (isEmpty())
   {
     return;

@@ -16,7 +16,7 @@ namespace traverse::maps
 {
 namespace
 {
-constexpr uint32_t kShellVersion = 1;
+constexpr uint32_t kShellVersion = 2;  // 2: the octree
 constexpr const char* kShellKind = "CTraversabilityGridMap";
 
 /** A length that lies allocates no more than the stream has, and a piece. */
@@ -56,6 +56,11 @@ void CTraversabilityGridMap::serializeTo(mrpt::serialization::CArchive& out) con
   shell.section("LIKE", formats::optionBytes(likelihoodOptions));
   shell.section("REND", formats::optionBytes(renderOptions));
   shell.section("SENS", formats::optionBytes(sensors));
+  shell.section("OCTO", formats::optionBytes(octomapOptions));
+  if (!octree_.empty())
+  {
+    shell.section("TREE", octree_.bt());
+  }
   writeBlob(out, shell.finish());
   writeBlob(out, archive());
   out << genericMapParams;
@@ -74,7 +79,14 @@ void CTraversabilityGridMap::serializeFrom(mrpt::serialization::CArchive& in, ui
       formats::readOptionBytes<traversability_grid::LikelihoodParams>(shell.reader("LIKE"));
   renderOptions = formats::readOptionBytes<TraversabilityRenderParams>(shell.reader("REND"));
   sensors = formats::readOptionBytes<observations::ObservationParams>(shell.reader("SENS"));
+  octomapOptions = shell.has("OCTO")
+                       ? formats::readOptionBytes<formats::OctomapParams>(shell.reader("OCTO"))
+                       : formats::OctomapParams{};
   setFromArchive(map_bytes);
+  if (shell.has("TREE"))
+  {
+    octree_ = formats::PointOctree::fromBt(shell.section("TREE"), octomapOptions);
+  }
   in >> genericMapParams;
 }
 }  // namespace traverse::maps

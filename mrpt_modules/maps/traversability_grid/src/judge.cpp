@@ -11,11 +11,6 @@ namespace
 {
 constexpr double kMmPerM = geometry::kMillimetresPerMetre;
 
-/** A surface so far below the ground around it may be a false return; what lies up to kFloor_m
- * below the ground is then the first to count. */
-constexpr float kFalseReturn_m = 0.5F;
-constexpr float kFloor_m = 0.3F;
-
 ground::Params groundParams(const Params& params, const geometry::Vehicle& vehicle)
 {
   ground::Params p = params.ground;

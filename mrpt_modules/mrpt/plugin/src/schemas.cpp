@@ -33,6 +33,9 @@ std::vector<MapSchema> mapSchemas()
             "insertOpts", "Cells, extent and classes: doc/maps/traversability_grid.md.",
             traversability.insertionOpts),
         schemaOf("likelihoodOpts", "How well a scan fits the map.", traversability.likelihoodOpts),
-        schemaOf("renderOpts", "How the map is drawn.", traversability.render_opts)}}};
+        schemaOf("renderOpts", "How the map is drawn.", traversability.render_opts),
+        schemaOf(
+            "octomapOpts", "An OctoMap of all points beside the cells: doc/output.md.",
+            traversability.octomap_opts)}}};
 }
 }  // namespace traverse::plugin

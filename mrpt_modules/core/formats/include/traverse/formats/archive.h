@@ -52,6 +52,10 @@ class ArchiveWriter
   std::vector<Section> sections_;
 };
 
+/** The kind of an archive, by which a reader for it is found: only that much is looked at. Throws
+ * FormatError for bytes that are no archive, or not as many as it says. */
+std::string archiveKind(std::string_view bytes);
+
 /** Checks and takes apart what ArchiveWriter made. Looks into the caller's bytes: they must outlive
  * it, and so the section views. */
 class ArchiveReader

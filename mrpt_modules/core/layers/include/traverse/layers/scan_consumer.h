@@ -7,10 +7,11 @@
 #include <traverse/poses/pose_track.h>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
-#include <vector>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace traverse::layers
 {
@@ -24,6 +25,20 @@ struct UpdateStats
   uint64_t touched_cells = 0;  //!< cells that got a point
   uint64_t bad_points = 0;     //!< skipped: NaN, Inf, or further than anything on the ground
   uint64_t over_budget = 0;    //!< points that the map's memory budget had no room for
+};
+
+/** A file of a map's own beside layers and archive: its name ends so, and its bytes. */
+struct ExtraFile
+{
+  std::string ending;  //!< ".bt"
+  std::string bytes;
+};
+
+/** A line of text about a cell, for people. */
+struct Fact
+{
+  std::string key;
+  std::string value;
 };
 
 /** A map that takes decoded, deskewed scans. The apps cast what MRPT's map factory made to this. */
@@ -49,6 +64,12 @@ class ScanConsumer
   /** The map as a checked, versioned, deterministic byte string (formats/archive.h). */
   virtual std::string archive() const = 0;
 
+  /** What archives of this class of map are called (formats/archive.h). */
+  virtual std::string_view archiveKind() const = 0;
+
+  /** Replaces the map by that of archive(). Throws formats::FormatError, with the map as it was. */
+  virtual void setFromArchive(std::string_view bytes) = 0;
+
   /** Adds the points of another map of this kind and options, given as its archive(): the result is
    * the map of both maps' scans, whatever their order, to the last byte of archive().
    *
@@ -60,5 +81,25 @@ class ScanConsumer
   /** Why maps of pieces of a log, merged, would not be the map of the whole log (options by which
    * it forgets): text for the user, which says what to use. Empty where they would. */
   virtual std::string mergeObstacle() const = 0;
+
+  /** Why the cell at a place of the map frame (|x|, |y| <= 1e6 m) is what it is: key and value. */
+  virtual std::vector<Fact> explain(double x_m, double y_m) const = 0;
+
+  /** What else the map wants saved. */
+  virtual std::vector<ExtraFile> extraFiles() const { return {}; }
+
+  /** Ending of the extra file that mergeExtra() takes; empty: none. */
+  virtual std::string mergedEnding() const { return {}; }
+
+  /** Adds such a file of another map of this kind and options, as mergeArchive() adds its archive.
+   */
+  virtual void mergeExtra(std::string_view /*bytes*/) {}
+
+  /** What a user must know of points that the map did not take, beyond UpdateStats. */
+  virtual std::vector<std::string> warnings() const { return {}; }
+
+  /** Edge of the largest square of points, centred at the pose, of which insertScan() leaves out
+   * none for being too far aside, m. */
+  virtual double pieceEdge_m() const { return std::numeric_limits<double>::infinity(); }
 };
 }  // namespace traverse::layers

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/formats/point_octree.h>
 #include <traverse/geometry/vehicle.h>
 #include <traverse/layers/scan_consumer.h>
 #include <traverse/observations/observation_params.h>
@@ -48,12 +49,12 @@ void visit(const TraversabilityRenderParams& p, F&& f)
  * that fall on them: traverse/traversability_grid, as an MRPT map.
  *
  * Made from an ini by `CTraversabilityGridMap_count = 1` (or traversabilityGridMap_count) with the
- * sections <prefix>_insertOpts, _likelihoodOpts, _renderOpts and _creationOpts, and the sections
- * [Vehicle] and [Sensors], which all maps of the file share. All are read strictly: an unknown key
- * or a value that is not allowed throws config::ConfigError.
+ * sections <prefix>_insertOpts, _likelihoodOpts, _renderOpts, _octomapOpts and _creationOpts, and
+ * the sections [Vehicle] and [Sensors], which all maps of the file share. All are read strictly: an
+ * unknown key or a value that is not allowed throws config::ConfigError.
  *
  * Options may be changed in place; those that the cells' sums depend on (cell_size_m,
- * slab_height_m) only while the map is empty. */
+ * slab_height_m) and the octree's resolution only while the map is empty. */
 class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::ScanConsumer
 {
   DEFINE_SERIALIZABLE(CTraversabilityGridMap, traverse::maps)
@@ -64,6 +65,7 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
   traversability_grid::Params insertionOptions;
   traversability_grid::LikelihoodParams likelihoodOptions;
   TraversabilityRenderParams renderOptions;
+  formats::OctomapParams octomapOptions;
   geometry::Vehicle vehicle;
   observations::ObservationParams sensors;  //!< how insertObservation() decodes
 
@@ -75,10 +77,17 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
   std::string archive() const override;
   void mergeArchive(std::string_view bytes) override;
   std::string mergeObstacle() const override;
+  std::string_view archiveKind() const override { return traversability_grid::kArchiveKind; }
+  std::vector<layers::Fact> explain(double x_m, double y_m) const override;
+  std::vector<layers::ExtraFile> extraFiles() const override;  //!< the octree, where there is one
+  std::string mergedEnding() const override;
+  void mergeExtra(std::string_view bytes) override;
+  std::vector<std::string> warnings() const override;
+  double pieceEdge_m() const override;
 
-  /** Replaces options, vehicle and cells by those of archive(). Throws formats::FormatError, with
-   * the map as it was. */
-  void setFromArchive(std::string_view bytes);
+  /** Replaces options, vehicle and cells by those of archive(); the octree, which is not in it, is
+   * empty then. Throws formats::FormatError, with the map as it was. */
+  void setFromArchive(std::string_view bytes) override;
 
   const traversability_grid::State& state() const { return state_; }
 
@@ -87,8 +96,9 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
   std::string asString() const override;
   void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
 
-  /** Writes <prefix>.traverse (the archive) and, unless the map is empty, <prefix>_<layer>.tif of
-   * each layer and <prefix>_class.png. Throws formats::FileError. */
+  /** Writes <prefix>.traverse (the archive), <prefix>.bt and .ot where there is an octree, and,
+   * unless the map is empty, <prefix>_<layer>.tif of each layer and <prefix>_class.png. Throws
+   * formats::FileError. */
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
 
   /** No matching on this map: no correspondence, ratio 0. */
@@ -114,6 +124,7 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
   traversability_grid::Params insertionOpts;
   traversability_grid::LikelihoodParams likelihoodOpts;
   TraversabilityRenderParams render_opts;
+  formats::OctomapParams octomap_opts;
   geometry::Vehicle vehicle;
   observations::ObservationParams sensors;
   MAP_DEFINITION_END(CTraversabilityGridMap)
@@ -130,5 +141,6 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
       const mrpt::obs::CObservation& observation) const override;
 
   traversability_grid::State state_;
+  formats::PointOctree octree_;  // of every scan with a pose, whatever the cells take or forget
 };
 }  // namespace traverse::maps

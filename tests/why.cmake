@@ -1,0 +1,5 @@
+# Tests of the explanation of a cell: maps/traversability_grid, traverse-map --why.
+traverse_test(unit traversability_explain_test USES traversability_grid)
+traverse_test(integration why_test LIBS nlohmann_json::nlohmann_json)
+target_sources(integration_why_test PRIVATE support/process.cpp)
+add_dependencies(integration_why_test traverse-map)
