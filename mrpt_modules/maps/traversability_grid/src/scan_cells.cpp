@@ -84,7 +84,7 @@ inline uint32_t ScanCells::findEntry(int32_t column, int32_t row)
  * points' cells have their numbers, the numbers, then (add()) the sums. */
 void ScanCells::number(const LatticePoints& points)
 {
-  std::array<uint32_t, LatticePoints::kMost> entries;
+  std::array<uint32_t, LatticePoints::kMost> entries{};
   for (size_t i = 0; i < points.size; ++i)
   {
     entries[i] = findEntry(points.column[i], points.row[i]);

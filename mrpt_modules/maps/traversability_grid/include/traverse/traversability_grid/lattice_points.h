@@ -31,11 +31,11 @@ struct LatticePoints
   using Numbers = std::array<int32_t, kMost>;
 
   size_t size = 0;
-  Numbers column, row;       //!< of the cell, from the box's smallest corner; column -1: skipped
-  Numbers level;             //!< of the height slab; absolute
-  Numbers x_mm, y_mm, z_mm;  //!< from the cell's smallest corner and the slab's bottom
-  uint32_t outside = 0;      //!< points that are not inside the box
-  uint32_t bad = 0;          //!< points that are NaN, Inf, or absurdly far
+  Numbers column{}, row{};  //!< of the cell, from the box's smallest corner; column -1: skipped
+  Numbers level{};          //!< of the height slab; absolute
+  Numbers x_mm{}, y_mm{}, z_mm{};  //!< from the cell's smallest corner and the slab's bottom
+  uint32_t outside = 0;            //!< points that are not inside the box
+  uint32_t bad = 0;                //!< points that are NaN, Inf, or absurdly far
 };
 
 /** Up to kMost points of the vehicle frame, metres, to the map's lattice: transformed in double
