@@ -5,9 +5,11 @@ traverse_test(unit lattice_points_test USES traversability_grid)
 traverse_test(unit scan_cells_test USES traversability_grid)
 traverse_test(unit traversability_features_test USES traversability_grid)
 traverse_test(unit traversability_scenes_test USES traversability_grid)
+traverse_test(unit traversability_forgetting_test USES traversability_grid)
 traverse_test(property traversability_order_test USES traversability_grid)
 traverse_test(property traversability_archive_test USES traversability_grid)
 traverse_test(oracle traversability_kitti_test USES traversability_grid LIBS ZLIB::ZLIB)
+traverse_test(oracle ground_labels_test USES traversability_grid LIBS ZLIB::ZLIB)
 traverse_test(integration traversability_map_test
   USES plugin traversability_grid config observations formats LIBS mrpt::maps mrpt::obs)
 traverse_test(integration traversability_likelihood_test

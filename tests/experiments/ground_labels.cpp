@@ -6,92 +6,40 @@
 // sensor frame are data. Peers on the same clouds: doc/benchmarks.md.
 //
 //   ground-labels [--data DIR --layout kitti|nuscenes]
-#include <traverse/traversability_grid/point_labels.h>
-#include <traverse/traversability_grid/traversability_grid.h>
-
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <support/data.h>
-#include <support/labelled_clouds.h>
+#include <support/ground_score.h>
 
 namespace
 {
 using namespace traverse;
 using namespace traverse::testing;
-using traversability_grid::PointLabel;
 
-constexpr double kNearest_m = 3;
-constexpr double kFarthest_m = 60;
-
-struct Score
+void tell(const std::string& prefix, const GroundScore& score, nlohmann::ordered_json& figures)
 {
-  double found = 0;   // ground, called ground
-  double missed = 0;  // ground, called something else
-  double wrong = 0;   // called ground, and is none
-
-  void add(bool is_ground, bool called_ground)
-  {
-    found += is_ground && called_ground ? 1 : 0;
-    missed += is_ground && !called_ground ? 1 : 0;
-    wrong += !is_ground && called_ground ? 1 : 0;
-  }
-
-  void tell(const std::string& prefix, nlohmann::ordered_json& figures) const
-  {
-    figures[prefix + "_f1"] = 2 * found / (2 * found + missed + wrong);
-    figures[prefix + "_precision"] = found / (found + wrong);
-    figures[prefix + "_recall"] = found / (found + missed);
-  }
-};
-
-std::vector<PointLabel> labelsOf(
-    const LabelledCloud& cloud, Layout layout, traversability_grid::ClassifierKind classifier)
-{
-  traversability_grid::Params params;
-  params.classifier = classifier;
-  params.mode = traversability_grid::Mode::single_cloud;
-  geometry::Vehicle vehicle;
-  vehicle.base_height_m = mountHeight_m(layout);
-  traversability_grid::State state = traversability_grid::makeState(params, vehicle);
-  const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
-  traversability_grid::update(state, cloud.scan.view(), here, params, vehicle);
-  return traversability_grid::labelsOfLastScan(state, cloud.scan.view(), here, params);
-}
-
-void score(
-    Score& score, const LabelledCloud& cloud, Layout layout, const std::vector<PointLabel>& labels)
-{
-  for (size_t i = 0; i < labels.size(); ++i)
-  {
-    const float x = cloud.scan.x[i];
-    const float y = cloud.scan.y[i];
-    const float z = cloud.scan.z[i];
-    const double range = std::sqrt(x * x + y * y + z * z);
-    const std::optional<bool> truth = isGround(layout, cloud.labels[i]);
-    if (truth && range >= kNearest_m && range <= kFarthest_m)
-    {
-      score.add(*truth, labels[i] == PointLabel::ground);
-    }
-  }
+  figures[prefix + "_f1"] = score.f1();
+  figures[prefix + "_precision"] = score.precision();
+  figures[prefix + "_recall"] = score.recall();
 }
 
 void measure(Layout layout, const std::filesystem::path& folder, nlohmann::ordered_json& figures)
 {
   using traversability_grid::ClassifierKind;
   const std::string name = layout == Layout::kitti ? "kitti" : "nuscenes";
-  std::map<ClassifierKind, Score> scores;
+  std::map<ClassifierKind, GroundScore> scores;
   const auto files = labelledFiles(layout, folder);
   for (const auto& [points, labels] : files)
   {
     const LabelledCloud cloud = readLabelled(layout, points, labels);
     for (const ClassifierKind kind : {ClassifierKind::standard, ClassifierKind::paper})
     {
-      score(scores[kind], cloud, layout, labelsOf(cloud, layout, kind));
+      scores[kind].add(cloud, layout, labelsOf(cloud, kind, mountHeight_m(layout)));
     }
   }
-  scores[ClassifierKind::standard].tell("default_" + name, figures);
-  scores[ClassifierKind::paper].tell("paper_" + name, figures);
+  tell("default_" + name, scores[ClassifierKind::standard], figures);
+  tell("paper_" + name, scores[ClassifierKind::paper], figures);
   figures[name + "_clouds"] = files.size();
 }
 

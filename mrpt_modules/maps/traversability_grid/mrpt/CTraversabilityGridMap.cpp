@@ -39,6 +39,11 @@ layers::UpdateStats CTraversabilityGridMap::insertScan(
   return stats;
 }
 
+void CTraversabilityGridMap::advance(poses::TimeNs now)
+{
+  traversability_grid::advance(state_, now, insertionOptions);
+}
+
 std::vector<uint32_t> CTraversabilityGridMap::pointLabels(
     const points::Scan& scan, const poses::PoseTrack& track) const
 {

@@ -68,16 +68,42 @@ void DrivenCells::keep(const geometry::CellRect& window)
   std::erase_if(cells_, [&](const auto& entry) { return !window.contains(cellOf(entry.first)); });
 }
 
+template <class F>
+void DrivenCells::forEachIn(const geometry::CellRect& window, F&& f) const
+{
+  auto it = cells_.lower_bound({window.min.y, window.min.x});
+  while (it != cells_.end() && it->first.first < window.max.y)
+  {
+    const auto [row, column] = it->first;
+    if (column < window.min.x)
+    {
+      it = cells_.lower_bound({row, window.min.x});
+      continue;
+    }
+    if (column >= window.max.x)
+    {
+      it = cells_.lower_bound({row + 1, window.min.x});
+      continue;
+    }
+    if (!f(cellOf(it->first), it->second))
+    {
+      return;
+    }
+    ++it;
+  }
+}
+
 int64_t DrivenCells::referenceIn(const geometry::CellRect& window) const
 {
-  for (const auto& [place, stand] : cells_)
-  {
-    if (window.contains(cellOf(place)))
-    {
-      return stand.z_mm.low;
-    }
-  }
-  return 0;
+  int64_t reference_mm = 0;
+  forEachIn(
+      window,
+      [&](geometry::CellIndex /*cell*/, const Stand& stand)
+      {
+        reference_mm = stand.z_mm.low;
+        return false;
+      });
+  return reference_mm;
 }
 
 void DrivenCells::seedsIn(
@@ -86,21 +112,19 @@ void DrivenCells::seedsIn(
     int64_t reference_mm,
     std::vector<ground::Seed>& seeds) const
 {
+  const auto slope = [](const Range& range)
+  { return static_cast<float>(range.middle() * kSlopeUnit); };
   seeds.clear();
-  for (const auto& [place, stand] : cells_)
-  {
-    const geometry::CellIndex cell = cellOf(place);
-    if (!window.contains(cell))
-    {
-      continue;
-    }
-    const auto slope = [](const Range& range)
-    { return static_cast<float>(range.middle() * kSlopeUnit); };
-    const double above_mm = stand.z_mm.middle() - static_cast<double>(reference_mm);
-    seeds.push_back(
-        {lattice.centre_m(cell.x), lattice.centre_m(cell.y),
-         static_cast<float>(above_mm / geometry::kMillimetresPerMetre), slope(stand.slope_x),
-         slope(stand.slope_y), kStand_m});
-  }
+  forEachIn(
+      window,
+      [&](geometry::CellIndex cell, const Stand& stand)
+      {
+        const double above_mm = stand.z_mm.middle() - static_cast<double>(reference_mm);
+        seeds.push_back(
+            {lattice.centre_m(cell.x), lattice.centre_m(cell.y),
+             static_cast<float>(above_mm / geometry::kMillimetresPerMetre), slope(stand.slope_x),
+             slope(stand.slope_y), kStand_m});
+        return true;
+      });
 }
 }  // namespace traverse::traversability_grid

@@ -106,6 +106,10 @@ std::string mergeObstacle(const Params& params)
   {
     return "extent = rolling forgets what the robot leaves behind; use extent = growing or fixed";
   }
+  if (forgets(params))
+  {
+    return "forget_after_s and forget_after_points forget by time and order; use 0";
+  }
   return "";
 }
 

@@ -18,16 +18,6 @@ int64_t millimetres(double metres)
   return geometry::toMillimetres(metres);
 }
 
-void clearCell(State& state, Cell& cell)
-{
-  if (cell.slabs != layers::HeightSlabs::kNone)
-  {
-    state.slabs.release(cell.slabs);
-    --state.occupied;
-  }
-  cell = Cell{};
-}
-
 /** Where the scan's cells are stored; those that find no tile leave the scan's. */
 void obtainPlaces(State& state, size_t most_tiles, layers::UpdateStats& stats)
 {
@@ -53,7 +43,12 @@ void obtainPlaces(State& state, size_t most_tiles, layers::UpdateStats& stats)
 
 /** False where there was room for none of them. */
 bool addSums(
-    State& state, uint32_t number, Cell& cell, const ScanSource& source, layers::UpdateStats& stats)
+    State& state,
+    uint32_t number,
+    Cell& cell,
+    const ScanSource& source,
+    bool forgetting,
+    layers::UpdateStats& stats)
 {
   const bool is_new = cell.slabs == layers::HeightSlabs::kNone;
   uint64_t added = 0;
@@ -67,7 +62,12 @@ bool addSums(
           stats.over_budget += points.n();
           return;
         }
-        slab->add(source.sumsOf(points, state.lattice.cell_mm, state.slab_mm));
+        const layers::HeightSlab sums = source.sumsOf(points, state.lattice.cell_mm, state.slab_mm);
+        slab->add(sums);
+        if (forgetting)
+        {
+          addYoung(state, state.scan.cell(number), sums);
+        }
         added += points.n();
       });
   stats.points += added;
@@ -82,6 +82,16 @@ void leaveOut(State& state, const std::vector<bool>& is_gone)
   std::erase_if(state.touched, [&](const Cells::Place&) { return is_gone[i++]; });
 }
 }  // namespace
+
+void clearCell(State& state, Cell& cell)
+{
+  if (cell.slabs != layers::HeightSlabs::kNone)
+  {
+    state.slabs.release(cell.slabs);
+    --state.occupied;
+  }
+  cell = Cell{};
+}
 
 ClassRule classRule(const Params& params, const geometry::Vehicle& vehicle)
 {
@@ -139,15 +149,21 @@ SlabReading slabReading(const State& state, const Params& params, const geometry
   return reading;
 }
 
-void addToMap(State& state, const ScanSource& source, size_t most_tiles, layers::UpdateStats& stats)
+void addToMap(
+    State& state, const ScanSource& source, const Params& params, layers::UpdateStats& stats)
 {
-  obtainPlaces(state, most_tiles, stats);
+  const bool forgetting = forgets(params);
+  obtainPlaces(state, mostTiles(params), stats);
   std::vector<bool> is_refused;
   forEachTouched(
       state,
       [&](uint32_t number, Cell& cell)
       {
-        if (!addSums(state, number, cell, source, stats))
+        if (forgetting)
+        {
+          renew(state, state.scan.cell(number), cell, source.stamp(), params);
+        }
+        if (!addSums(state, number, cell, source, forgetting, stats))
         {
           is_refused.resize(state.touched.size());
           is_refused[number] = true;
@@ -157,11 +173,15 @@ void addToMap(State& state, const ScanSource& source, size_t most_tiles, layers:
   {
     leaveOut(state, is_refused);
   }
+  if (forgetting)
+  {
+    watchTiles(state, source.stamp(), params);
+  }
 }
 
 void clearCells(State& state)
 {
-  if (state.touched.size() == state.occupied)
+  if (state.touched.size() == state.occupied && state.memory.young.tiles() == 0)
   {
     forEachTouched(state, [&](uint32_t /*number*/, Cell& cell) { clearCell(state, cell); });
   }
@@ -169,6 +189,7 @@ void clearCells(State& state)
   {
     state.cells.clear();
     state.slabs.clear();
+    state.memory = {};
     state.occupied = 0;
   }
   state.touched.clear();
@@ -188,6 +209,7 @@ void moveWindow(State& state, const geometry::CellRect& window)
   {
     state.cells.clear();
     state.slabs.clear();
+    state.memory = {};
     state.occupied = 0;
     return;
   }
@@ -201,6 +223,7 @@ void moveWindow(State& state, const geometry::CellRect& window)
     state.cells.forEachIn(
         strip, [&](Cells::Place place) { clearCell(state, state.cells.at(place)); });
     state.cells.releaseTiles(strip, window);
+    clearYoung(state, strip, window);
   }
 }
 

@@ -105,6 +105,14 @@ void rememberRobot(State& state, poses::TimeNs stamp, const Eigen::Isometry3d& T
 }
 }  // namespace
 
+void advance(State& state, poses::TimeNs now, const Params& params)
+{
+  if (forgets(params))
+  {
+    forgetUnseen(state, now, params);
+  }
+}
+
 layers::UpdateStats update(
     State& state,
     const points::Scan& scan,
@@ -127,11 +135,12 @@ layers::UpdateStats update(
     return stats;
   }
   makeRoom(state, projection->neighbourhood(), params);
+  rememberRobot(state, scan.stamp, T_map_base);
+  advance(state, state.robot->time, params);
   const uint32_t sensor = sensorBit(state, scan.sensor_label);
-  addToMap(state, ScanSource(scan, T_map_base, sensor, params), mostTiles(params), stats);
+  addToMap(state, ScanSource(scan, T_map_base, sensor, params), params, stats);
   stats.touched_cells = state.touched.size();
   stats.inserted = stats.points > 0;
-  rememberRobot(state, scan.stamp, T_map_base);
   state.driven.add(T_map_base, vehicle, state.lattice);
   judgeTouched(state, projection->accepted(), params, vehicle);  // steps 4 to 6
   return stats;

@@ -50,6 +50,9 @@ class ScanConsumer
   /** Adds a deskewed scan at the track's pose for its stamp. */
   virtual UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) = 0;
 
+  /** Time goes on without a scan: what is too old goes, from maps that forget. */
+  virtual void advance(poses::TimeNs /*now*/) {}
+
   /** A label for each point of the scan that was inserted last, which must be given again: 0
    * undefined, 1 ground, 2 obstacle, 3 overhanging. Empty from maps that have no labels. */
   virtual std::vector<uint32_t> pointLabels(

@@ -83,6 +83,11 @@ class DrivenCells
   const Map& cells() const { return cells_; }
 
  private:
+  /** Calls f(CellIndex, const Stand&) row by row until it returns false; costs by the rows and cells
+   * of the window, not by the drive. */
+  template <class F>
+  void forEachIn(const geometry::CellRect& window, F&& f) const;
+
   Map cells_;
 };
 }  // namespace traverse::traversability_grid

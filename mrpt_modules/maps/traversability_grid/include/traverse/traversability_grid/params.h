@@ -70,6 +70,8 @@ struct Params
   double lowest_m = -30;
   double highest_m = 30;
   int max_memory_mb = 2000;
+  double forget_after_s = 0;
+  int forget_after_points = 0;
 
   ClassifierKind classifier = ClassifierKind::standard;
   int min_points = 3;
@@ -126,6 +128,26 @@ void visitExtent(P& p, F&& f)
           "the cells take no more, MB; points that would need more are counted, not added",
           {1, 1000000}},
       p.max_memory_mb);
+}
+
+template <class P, class F>
+void visitForgetting(P& p, F&& f)
+{
+  using options::Option;
+  f(
+      Option{
+          "forget_after_s",
+          "mode = accumulated: what was seen longer ago goes, at half of this to an eighth above "
+          "it, "
+          "s; 0: nothing does, as maps that are to be merged need it",
+          {0, 1e7}},
+      p.forget_after_s);
+  f(
+      Option{
+          "forget_after_points",
+          "mode = accumulated: a cell keeps the last half to whole of so many points; 0: all",
+          {0, 2000000000}},
+      p.forget_after_points);
 }
 
 template <class P, class F>
@@ -190,6 +212,7 @@ template <class F>
 void visit(Params& p, F&& f)
 {
   visitExtent(p, f);
+  visitForgetting(p, f);
   visitClasses(p, f);
   visitNoise(p, f);
   ground::visitParams(p.ground, f);
@@ -199,6 +222,7 @@ template <class F>
 void visit(const Params& p, F&& f)
 {
   visitExtent(p, f);
+  visitForgetting(p, f);
   visitClasses(p, f);
   visitNoise(p, f);
   ground::visitParams(p.ground, f);

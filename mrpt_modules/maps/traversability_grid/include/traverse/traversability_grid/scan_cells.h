@@ -127,6 +127,19 @@ class ScanCells
    */
   std::span<const uint32_t> ofPoints() const { return of_points_; }
 
+  /** Calls f(CellIndex) with the smallest cell of each tile that has a cell of the scan. */
+  template <class F>
+  void forEachTile(F&& f) const
+  {
+    const auto across = static_cast<size_t>(columns_ >> kShift);
+    for (const size_t tile : tiles_)
+    {
+      const auto row = static_cast<int32_t>(tile / across);
+      const auto column = static_cast<int32_t>(tile % across);
+      f(geometry::CellIndex{origin_.x + (column << kShift), origin_.y + (row << kShift)});
+    }
+  }
+
   /** Calls f(const ScanSlab&) for the slabs of a cell, in no certain order; more than one may have
    * the same level. */
   template <class F>

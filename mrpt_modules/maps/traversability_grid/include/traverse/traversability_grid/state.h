@@ -8,6 +8,7 @@
 #include <traverse/layers/scan_consumer.h>
 #include <traverse/layers/tile_grid.h>
 #include <traverse/traversability_grid/driven.h>
+#include <traverse/traversability_grid/forgetting.h>
 #include <traverse/traversability_grid/judge.h>
 #include <traverse/traversability_grid/params.h>
 #include <traverse/traversability_grid/scan_cells.h>
@@ -54,6 +55,7 @@ struct State
   Cells cells;
   layers::HeightSlabs slabs;
   size_t occupied = 0;                       //!< cells with a point
+  Memory memory;                             //!< of a map that forgets
   std::optional<geometry::CellRect> window;  //!< the cells kept, where they follow the robot
   std::optional<poses::StampedPose> robot;   //!< latest pose that a scan came with
   DrivenCells driven;                        //!< where the ground is known by the vehicle
@@ -74,7 +76,10 @@ State makeState(const Params& params, const geometry::Vehicle& vehicle);
 /** Step 3's second half: adds the sums of the last scan's cells to the map and notes where they
  * are. What the memory budget has no room for is counted, and its cells leave the scan's. */
 void addToMap(
-    State& state, const ScanSource& source, size_t most_tiles, layers::UpdateStats& stats);
+    State& state, const ScanSource& source, const Params& params, layers::UpdateStats& stats);
+
+/** Forgets a cell's points. */
+void clearCell(State& state, Cell& cell);
 
 /** The bit of a sensor's label, which is kept from now on; the last bit stands for all labels
  * beyond the 31st. */

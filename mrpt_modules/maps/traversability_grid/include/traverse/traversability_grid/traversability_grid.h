@@ -28,6 +28,10 @@ layers::UpdateStats update(
     const Params& params,
     const geometry::Vehicle& vehicle);
 
+/** Lets go of what is older than forget_after_s at a time, where the map forgets. update() does it
+ * by its scans' stamps; call it where no scan comes any more. */
+void advance(State& state, poses::TimeNs now, const Params& params);
+
 /** The map's layers in a window. By default all of it: a rolling map's window, a fixed map's
  * rectangle, a growing map's occupied cells (no cells where there is none).
  *

@@ -71,6 +71,7 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
 
   // layers::ScanConsumer
   layers::UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) override;
+  void advance(poses::TimeNs now) override;
   std::vector<uint32_t> pointLabels(
       const points::Scan& scan, const poses::PoseTrack& track) const override;
   layers::LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const override;
