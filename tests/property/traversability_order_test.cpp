@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <support/grid_scenes.h>
 
@@ -238,6 +239,39 @@ TEST(RollingWindow, IsADenseMapThatForgetsWhatLeavesTheWindow)
     swept.add(v);
     ASSERT_EQ(cellsOf(state), cellsOf(swept.state()));
     EXPECT_LE(state.cells.tiles(), 9U) << "tiles that left are given back";
+  }
+}
+
+/** Cells with points, and their slabs, as found by a sweep. */
+std::pair<size_t, size_t> sweptSize(const State& state)
+{
+  std::pair<size_t, size_t> found;
+  state.cells.forEach(
+      [&](Cells::Place place)
+      {
+        const Cell& cell = state.cells.at(place);
+        found.first += static_cast<size_t>(cell.slabs != layers::HeightSlabs::kNone);
+        for (const auto* s = state.slabs.get(cell.slabs); s != nullptr;
+             s = state.slabs.get(s->next))
+        {
+          ++found.second;
+        }
+      });
+  return found;
+}
+
+TEST(RollingWindow, GivesBackTheSlabsOfTilesThatLeaveByACorner)
+{
+  Params rolling;
+  rolling.window_m = 20;
+  State state = makeState(rolling, kCar);
+  std::mt19937 random(11);
+  const points::ScanBuffer scan = randomScan(random, 2000, 12);
+  for (int i = 0; i < 50; ++i)
+  {
+    const double turned = 0.7 * i;  // over all four corners
+    update(state, scan.view(), atPlace(8 * std::cos(turned), 8 * std::sin(turned)), rolling, kCar);
+    ASSERT_EQ(sweptSize(state), std::pair(state.occupied, state.slabs.size())) << "scan " << i;
   }
 }
 

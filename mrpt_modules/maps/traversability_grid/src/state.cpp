@@ -222,6 +222,9 @@ void moveWindow(State& state, const geometry::CellRect& window)
   {
     state.cells.forEachIn(
         strip, [&](Cells::Place place) { clearCell(state, state.cells.at(place)); });
+  }
+  for (const geometry::CellRect& strip : gone)  // a tile may lie in two of them
+  {
     state.cells.releaseTiles(strip, window);
     clearYoung(state, strip, window);
   }
