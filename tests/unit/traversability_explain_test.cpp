@@ -29,8 +29,8 @@ struct Drawn
   Params params;
   State state;
 
-  explicit Drawn(const Picture& picture, Params with = paper()) :
-      params(std::move(with)), state(makeState(params, kCar))
+  explicit Drawn(const Picture& picture, const Params& with = paper()) :
+      params(with), state(makeState(params, kCar))
   {
     update(state, draw(picture).view(), Eigen::Isometry3d::Identity(), params, kCar);
   }
@@ -103,14 +103,19 @@ TEST(TraversabilityExplain, AnswersForCellsThatHaveNothing)
 std::string plateAt(double z_m)
 {
   points::ScanBuffer scan;
-  for (int i = 0; i < 50 * 50; ++i)
+  const auto is_plate = [](int k) { return k >= 40 && k < 45; };
+  for (int column = 0; column < 50; ++column)
   {
-    const double x = -5 + 0.2 * (i % 50);
-    const double y = -5 + 0.2 * (i / 50);
-    const bool plate = i % 50 >= 40 && i % 50 < 45 && i / 50 >= 40 && i / 50 < 45;
-    for (int k = 0; k < 9; ++k)
+    for (int row = 0; row < 50; ++row)
     {
-      addPoint(scan, x + 0.03 + 0.06 * (k % 3), y + 0.03 + 0.06 * (k / 3), plate ? z_m : 0.0);
+      const double z = is_plate(column) && is_plate(row) ? z_m : 0;
+      for (const double u : {0.03, 0.09, 0.15})
+      {
+        for (const double v : {0.03, 0.09, 0.15})
+        {
+          addPoint(scan, -5 + 0.2 * column + u, -5 + 0.2 * row + v, z);
+        }
+      }
     }
   }
   const Params params;
