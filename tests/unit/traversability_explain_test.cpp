@@ -99,29 +99,41 @@ TEST(TraversabilityExplain, AnswersForCellsThatHaveNothing)
   EXPECT_THAT(Drawn({"."}, growing).why(100000, "decided by"), HasSubstr("never seen"));
 }
 
-/** Level ground around the vehicle with a plate in the air. */
-std::string plateAt(double z_m)
+/** Level points of one cell. */
+void addLevel(points::ScanBuffer& scan, double x, double y, double z)
+{
+  for (const double u : {0.03, 0.09, 0.15})
+  {
+    for (const double v : {0.03, 0.09, 0.15})
+    {
+      addPoint(scan, x + u, y + v, z);
+    }
+  }
+}
+
+/** Level ground around the vehicle with a plate of a square metre in the air. */
+points::ScanBuffer plateScan(double z_m)
 {
   points::ScanBuffer scan;
+  scan.sensor_label = "TOP\n";
   const auto is_plate = [](int k) { return k >= 40 && k < 45; };
   for (int column = 0; column < 50; ++column)
   {
     for (int row = 0; row < 50; ++row)
     {
-      const double z = is_plate(column) && is_plate(row) ? z_m : 0;
-      for (const double u : {0.03, 0.09, 0.15})
-      {
-        for (const double v : {0.03, 0.09, 0.15})
-        {
-          addPoint(scan, -5 + 0.2 * column + u, -5 + 0.2 * row + v, z);
-        }
-      }
+      addLevel(
+          scan, -5 + 0.2 * column, -5 + 0.2 * row, is_plate(column) && is_plate(row) ? z_m : 0);
     }
   }
+  return scan;
+}
+
+/** The explanation of the plate's middle. */
+std::string plateAt(double z_m)
+{
   const Params params;
   State state = makeState(params, kCar);
-  scan.sensor_label = "TOP\n";
-  update(state, scan.view(), Eigen::Isometry3d::Identity(), params, kCar);
+  update(state, plateScan(z_m).view(), Eigen::Isometry3d::Identity(), params, kCar);
   std::string all;
   for (const layers::Fact& fact : explain(state, params, kCar, {17, 17}))
   {
