@@ -29,9 +29,15 @@ formats::PointOctree sample()
 {
   std::mt19937 random(4);
   std::vector<Point> points = randomPoints(random, 3000);
-  for (int i = 0; i < 512; ++i)  // a solid block, which is pruned
+  for (int x = 0; x < 8; ++x)  // a solid block, which is pruned
   {
-    points.push_back({5.05 + 0.1 * (i % 8), 5.05 + 0.1 * (i / 8 % 8), 0.05 + 0.1 * (i / 64)});
+    for (int y = 0; y < 8; ++y)
+    {
+      for (int z = 0; z < 8; ++z)
+      {
+        points.push_back({5.05 + 0.1 * x, 5.05 + 0.1 * y, 0.05 + 0.1 * z});
+      }
+    }
   }
   return octreeOf(points);
 }

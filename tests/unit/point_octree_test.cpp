@@ -41,10 +41,10 @@ TEST(PointOctree, PointsAreTakenThroughThePose)
 TEST(PointOctree, BytesDoNotDependOnTheOrderOfScansOrOnHowOftenALeafIsHit)
 {
   std::mt19937 random(1);
-  std::vector<std::vector<Point>> scans;
-  for (int i = 0; i < 12; ++i)
+  std::vector<std::vector<Point>> scans(12);
+  for (std::vector<Point>& scan : scans)
   {
-    scans.push_back(randomPoints(random, 3000));
+    scan = randomPoints(random, 3000);
   }
   std::string bt;
   std::string ot;
@@ -70,10 +70,15 @@ TEST(PointOctree, BytesDoNotDependOnTheOrderOfScansOrOnHowOftenALeafIsHit)
 
 TEST(PointOctree, EightEqualLeavesAreOneInTheFileAndEightWhenRead)
 {
-  std::vector<Point> cube;
-  for (int i = 0; i < 64; ++i)
+  std::vector<Point> cube(64);
+  for (size_t i = 0; i < cube.size(); ++i)
   {
-    cube.push_back({0.05 + 0.1 * (i % 4), 0.05 + 0.1 * (i / 4 % 4), 0.05 + 0.1 * (i / 16)});
+    const size_t x = i % 4;
+    const size_t y = i / 4 % 4;
+    const size_t z = i / 16;
+    cube[i] = {
+        0.05 + 0.1 * static_cast<double>(x), 0.05 + 0.1 * static_cast<double>(y),
+        0.05 + 0.1 * static_cast<double>(z)};
   }
   const PointOctree octree = octreeOf(cube);
   EXPECT_EQ(leavesOf(octree.bt()).size(), 64U);

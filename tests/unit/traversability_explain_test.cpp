@@ -29,8 +29,8 @@ struct Drawn
   Params params;
   State state;
 
-  explicit Drawn(const Picture& picture, Params with = paper()) :
-      params(std::move(with)), state(makeState(params, kCar))
+  explicit Drawn(const Picture& picture, const Params& with = paper()) :
+      params(with), state(makeState(params, kCar))
   {
     update(state, draw(picture).view(), Eigen::Isometry3d::Identity(), params, kCar);
   }
@@ -99,24 +99,41 @@ TEST(TraversabilityExplain, AnswersForCellsThatHaveNothing)
   EXPECT_THAT(Drawn({"."}, growing).why(100000, "decided by"), HasSubstr("never seen"));
 }
 
-/** Level ground around the vehicle with a plate in the air. */
-std::string plateAt(double z_m)
+/** Level points of one cell. */
+void addLevel(points::ScanBuffer& scan, double x, double y, double z)
 {
-  points::ScanBuffer scan;
-  for (int i = 0; i < 50 * 50; ++i)
+  for (const double u : {0.03, 0.09, 0.15})
   {
-    const double x = -5 + 0.2 * (i % 50);
-    const double y = -5 + 0.2 * (i / 50);
-    const bool plate = i % 50 >= 40 && i % 50 < 45 && i / 50 >= 40 && i / 50 < 45;
-    for (int k = 0; k < 9; ++k)
+    for (const double v : {0.03, 0.09, 0.15})
     {
-      addPoint(scan, x + 0.03 + 0.06 * (k % 3), y + 0.03 + 0.06 * (k / 3), plate ? z_m : 0.0);
+      addPoint(scan, x + u, y + v, z);
     }
   }
+}
+
+/** Level ground around the vehicle with a plate of a square metre in the air. */
+points::ScanBuffer plateScan(double z_m)
+{
+  points::ScanBuffer scan;
+  scan.sensor_label = "TOP\n";
+  const auto is_plate = [](int k) { return k >= 40 && k < 45; };
+  for (int column = 0; column < 50; ++column)
+  {
+    for (int row = 0; row < 50; ++row)
+    {
+      addLevel(
+          scan, -5 + 0.2 * column, -5 + 0.2 * row, is_plate(column) && is_plate(row) ? z_m : 0);
+    }
+  }
+  return scan;
+}
+
+/** The explanation of the plate's middle. */
+std::string plateAt(double z_m)
+{
   const Params params;
   State state = makeState(params, kCar);
-  scan.sensor_label = "TOP\n";
-  update(state, scan.view(), Eigen::Isometry3d::Identity(), params, kCar);
+  update(state, plateScan(z_m).view(), Eigen::Isometry3d::Identity(), params, kCar);
   std::string all;
   for (const layers::Fact& fact : explain(state, params, kCar, {17, 17}))
   {
