@@ -93,6 +93,23 @@ void DrivenCells::forEachIn(const geometry::CellRect& window, F&& f) const
   }
 }
 
+geometry::CellRect DrivenCells::boundsIn(const geometry::CellRect& window) const
+{
+  geometry::CellRect bounds;
+  forEachIn(
+      window,
+      [&](geometry::CellIndex c, const Stand& /*stand*/)
+      {
+        bounds = bounds.empty()
+                     ? geometry::CellRect{c, {c.x + 1, c.y + 1}}
+                     : geometry::CellRect{
+                           {std::min(bounds.min.x, c.x), std::min(bounds.min.y, c.y)},
+                           {std::max(bounds.max.x, c.x + 1), std::max(bounds.max.y, c.y + 1)}};
+        return true;
+      });
+  return bounds;
+}
+
 int64_t DrivenCells::referenceIn(const geometry::CellRect& window) const
 {
   int64_t reference_mm = 0;

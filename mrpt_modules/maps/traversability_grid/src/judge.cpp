@@ -18,6 +18,26 @@ ground::Params groundParams(const Params& params, const geometry::Vehicle& vehic
   p.most_slope_deg = std::max(p.most_slope_deg, vehicle.max_slope_deg);
   return p;
 }
+
+/** Cells that the ground crosses without points. */
+int32_t groundReach(const Params& params, const geometry::Lattice& lattice)
+{
+  return static_cast<int32_t>(params.ground.most_gap_m / lattice.cell_m());
+}
+
+/** The window, and the driven cells from which ground can come into it. */
+geometry::CellRect withDriven(
+    const geometry::CellRect& window, const DrivenCells& driven, int32_t reach)
+{
+  const geometry::CellRect wide{
+      {window.min.x - reach, window.min.y - reach}, {window.max.x + reach, window.max.y + reach}};
+  const geometry::CellRect seeds = driven.boundsIn(wide);
+  return seeds.empty()
+             ? window
+             : geometry::CellRect{
+                   {std::min(window.min.x, seeds.min.x), std::min(window.min.y, seeds.min.y)},
+                   {std::max(window.max.x, seeds.max.x), std::max(window.max.y, seeds.max.y)}};
+}
 }  // namespace
 
 Class worse(Class a, Class b)
@@ -37,9 +57,10 @@ void Judge::begin(
   ground_params_ = groundParams(params, vehicle);
   clearance_m_ = vehicle.height_m;
   lattice_ = lattice;
-  window_ = window;
-  reference_mm_ = driven.referenceIn(window);
-  driven.seedsIn(window, lattice, reference_mm_, seeds_);
+  window_ =
+      driven.anyIn(window) ? window : withDriven(window, driven, groundReach(params, lattice));
+  reference_mm_ = driven.referenceIn(window_);
+  driven.seedsIn(window_, lattice, reference_mm_, seeds_);
   columns_.clear();
   judgements_.clear();
 }
@@ -127,7 +148,7 @@ void Judge::againstGround(
   }
   else if (judgement.of != Class::undefined)
   {
-    judgement.of = worse(judgement.of, classify_->ofStep(std::abs(rise_m)));
+    judgement.of = worse(judgement.of, classify_->ofStep(rise_m));
   }
 }
 }  // namespace traverse::traversability_grid

@@ -80,6 +80,12 @@ class DrivenCells
    * cells only. */
   int64_t referenceIn(const geometry::CellRect& window) const;
 
+  /** Whether there is a driven cell in the window. */
+  bool anyIn(const geometry::CellRect& window) const { return !boundsIn(window).empty(); }
+
+  /** The smallest rectangle with the driven cells of the window; empty where there is none. */
+  geometry::CellRect boundsIn(const geometry::CellRect& window) const;
+
   const Map& cells() const { return cells_; }
 
  private:

@@ -74,7 +74,7 @@ class Classifier
    * sensor's noise off the features first. */
   Class operator()(const Features& features) const;
 
-  /** Of a surface so much above or below the ground that the vehicle comes from. */
+  /** Of a surface so much above the ground that the vehicle comes from. */
   Class ofStep(double step_m) const { return worstOf(step_m, 0, 0); }
 
  private:
