@@ -10,8 +10,6 @@ namespace traverse::ground
 {
 namespace
 {
-constexpr size_t kNearest = 8;
-
 /** Of a surface's heights within a patch, m: rings and grass, not steps. */
 constexpr float kSurfaceSpan_m = 0.10F;
 
@@ -145,7 +143,12 @@ void Spread::push(int32_t patch)
 Spread::Prediction Spread::predict(int32_t i) const
 {
   // Where there are no points the nearest patches will do.
-  const size_t count = grid_.at(i).block < 0 ? kNearest : around_.size();
+  return grid_.at(i).block < 0 ? predictFrom<kNearest>(i) : predictFrom<kAround>(i);
+}
+
+template <size_t count>
+Spread::Prediction Spread::predictFrom(int32_t i) const
+{
   float weights = 0;
   Prediction sum{Quad{}, Patch::kFar};
   for (size_t k = 0; k < count; ++k)  // without a branch: who is not settled has no trust

@@ -21,6 +21,9 @@ class Spread
   void from(std::span<const Seed> seeds);
 
  private:
+  static constexpr size_t kNearest = 8;
+  static constexpr size_t kAround = 24;
+
   /** A neighbour of a patch. */
   struct Neighbour
   {
@@ -56,6 +59,8 @@ class Spread
   void push(int32_t patch);
   void settle(int32_t i, const Prediction& predicted);
   Prediction predict(int32_t i) const;
+  template <size_t count>
+  Prediction predictFrom(int32_t i) const;
   void findCandidates(const Patch& patch, const Prediction& predicted);
   float lowestSurface();
   Quad fitSlope(int32_t i, float z_m, const Prediction& predicted) const;
@@ -63,7 +68,7 @@ class Spread
   PatchGrid& grid_;
   const Params& params_;
   float most_slope_;
-  std::array<Neighbour, 24> around_;  //!< the eight nearest first
+  std::array<Neighbour, kAround> around_;  //!< the eight nearest first
   std::vector<int32_t> queue_;
   std::vector<Candidate> candidates_;
 };

@@ -3,6 +3,7 @@
 #include "surfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,44 +35,65 @@ constexpr float kOverMean_m = 0.10F;
 constexpr float kFoot_m = 0.02F;
 constexpr float kFootBelow_m = 0.10F;
 
-/** The planes of the patch with a column's cell and of those around it, as its cells see them. */
-class Planes
+/** Four patches that meet in a corner: the lower two, then the upper two. */
+struct Corner
+{
+  Quad z_m = {};
+  Quad slope_x = {};
+  Quad slope_y = {};
+  Quad weight = {};  //!< of a patch's share; 0 until it is settled
+  Quad least = {};
+
+  Corner(const PatchGrid& grid, int32_t lower_left)
+  {
+    const std::array<int32_t, 4> patches = {
+        lower_left, lower_left + 1, lower_left + grid.stride(), lower_left + grid.stride() + 1};
+    for (size_t k = 0; k < patches.size(); ++k)
+    {
+      const Patch& p = grid.at(patches[k]);
+      z_m[k] = p.z_m();
+      slope_x[k] = p.slope_x();
+      slope_y[k] = p.slope_y();
+      least[k] = p.isSettled() ? kLeastWeight : 0;
+      weight[k] = p.isSettled() ? kGuessed + p.measured * (1 - kGuessed) : 0;
+    }
+  }
+};
+
+/** A patch's four corners: what the ground's height in its cells is made of. */
+class Corners
 {
  public:
-  Planes(const PatchGrid& grid, int32_t patch) : grid_(grid), patch_(patch) {}
+  Corners(const PatchGrid& grid, int32_t patch) :
+      grid_(grid),
+      side_m_(grid.side_m()),
+      corners_{
+          Corner(grid, patch - grid.stride() - 1), Corner(grid, patch - grid.stride()),
+          Corner(grid, patch - 1), Corner(grid, patch)}
+  {
+  }
 
-  /** Of the four patches around a cell, by distance; NaN where none is settled. */
+  /** From the planes of the four patches around, by distance; NaN where none is settled. */
   float groundAt(const PlacedColumn& column) const
   {
     const PatchGrid::Along& x = grid_.along(column.x);
     const PatchGrid::Along& y = grid_.along(column.y);
-    const int32_t above = grid_.stride();
-    const int32_t lower = patch_ + y.lower * above + x.lower;
-    Sum sum;
-    add(sum, lower, x.part, y.part, (1 - x.part) * (1 - y.part));
-    add(sum, lower + 1, x.part - 1, y.part, x.part * (1 - y.part));
-    add(sum, lower + above, x.part, y.part - 1, (1 - x.part) * y.part);
-    add(sum, lower + above + 1, x.part - 1, y.part - 1, x.part * y.part);
-    return sum.weights > 0 ? sum.z_m / sum.weights : std::numeric_limits<float>::quiet_NaN();
+    const Corner& c = corners_[static_cast<size_t>(3 + 2 * y.lower + x.lower)];
+    const Quad right = {x.part, x.part - 1, x.part, x.part - 1};
+    const Quad up = {y.part, y.part, y.part - 1, y.part - 1};
+    const Quad share_x = {1 - x.part, x.part, 1 - x.part, x.part};
+    const Quad share_y = {1 - y.part, 1 - y.part, y.part, y.part};
+    const Quad w = share_x * share_y * c.weight + c.least;
+    const Quad z = w * (c.z_m + side_m_ * (c.slope_x * right + c.slope_y * up));
+    const float weights = w[0] + w[1] + w[2] + w[3];
+    return weights > 0 ? (z[0] + z[1] + z[2] + z[3]) / weights
+                       : std::numeric_limits<float>::quiet_NaN();
   }
 
  private:
-  struct Sum
-  {
-    float weights = 0;
-    float z_m = 0;
-  };
-
-  void add(Sum& sum, int32_t i, float right, float up, float share) const
-  {
-    const Patch& p = grid_.at(i);
-    const float w = p.isSettled() ? share * (p.measured > 0 ? 1.0F : kGuessed) + kLeastWeight : 0;
-    sum.weights += w;
-    sum.z_m += w * (p.z_m() + grid_.side_m() * (p.slope_x() * right + p.slope_y() * up));
-  }
-
   const PatchGrid& grid_;
-  int32_t patch_;
+  float side_m_;
+  std::array<Corner, 4> corners_;
 };
 
 /** What the patch's slope adds to a cell's span. */
@@ -137,20 +159,25 @@ void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Ve
   rough_.clear();
   for (const PatchGrid::Block& block : grid.blocks())
   {
-    const Planes planes(grid, block.patch);
+    const Corners corners(grid, block.patch);
     const float tilt = tiltOf(grid.at(block.patch), grid.cell_m());
     const float most_span = static_cast<float>(params.flat_m) + tilt;
     for (uint32_t i = block.first; i < block.first + block.size; ++i)
     {
       const PlacedColumn& c = columns[i];
-      const float ground = planes.groundAt(c);
+      const float ground = corners.groundAt(c);
       const float over = c.mean_m - ground;
-      const bool is_flat = c.span_m() <= most_span && over < over_patch && over > -kBelow_m &&
-                           (over < kRaised_m || isSupported(grid, block.patch, c, most_span, tilt));
+      // & and not &&, because it must not branch.
+      bool is_flat = (c.span_m() <= most_span) & (over < over_patch) & (over > -kBelow_m);
+      if (is_flat && over >= kRaised_m)
+      {
+        is_flat = isSupported(grid, block.patch, c, most_span, tilt);
+      }
       const bool may_bear = c.low_m - ground <= over_patch;
-      const float limit = is_flat && may_bear ? c.mean_m + kOverMean_m + tilt : Verdict::kNone;
+      const float limit = c.mean_m + kOverMean_m + tilt;
+      const bool bears = is_flat & may_bear & (limit >= c.low_m);
       flat_mean_m_[i] = is_flat ? c.mean_m : Verdict::kNone;
-      verdicts[c.number] = {ground, limit >= c.low_m ? limit : Verdict::kNone};
+      verdicts[c.number] = {ground, bears ? limit : Verdict::kNone};
       if (may_bear && !is_flat)
       {
         rough_.push_back({block.patch, i});
