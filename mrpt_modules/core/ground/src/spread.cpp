@@ -73,28 +73,6 @@ Spread::Spread(PatchGrid& grid, const Params& params) :
   }
 }
 
-void Spread::from(std::span<const Seed> seeds)
-{
-  for (const Seed& seed : seeds)
-  {
-    plant(seed);
-  }
-  const size_t planted = queue_.size();
-  for (size_t i = 0; i < planted; ++i)
-  {
-    pushAround(queue_[i]);
-  }
-  for (size_t i = planted; i < queue_.size(); ++i)
-  {
-    const int32_t patch = queue_[i];
-    settle(patch, predict(patch));
-    if (grid_.at(patch).gap_m < static_cast<float>(params_.most_gap_m))
-    {
-      pushAround(patch);
-    }
-  }
-}
-
 void Spread::plant(const Seed& seed)
 {
   const PatchGrid::Position middle = grid_.positionOf(seed.x_m, seed.y_m);
@@ -117,12 +95,12 @@ void Spread::plant(const Seed& seed)
       }
       push(i);
       const float z_m = seed.z_m + seed.slope_x * dx + seed.slope_y * dy;
-      settle(i, {Quad{z_m, seed.slope_x, seed.slope_y, 0}, distance});
+      settleColumns(i, {Quad{z_m, seed.slope_x, seed.slope_y, 0}, distance});
     }
   }
 }
 
-void Spread::pushAround(int32_t patch)
+inline void Spread::pushAround(int32_t patch)
 {
   for (size_t k = 0; k < kNearest; ++k)
   {
@@ -134,20 +112,14 @@ void Spread::pushAround(int32_t patch)
   }
 }
 
-void Spread::push(int32_t patch)
+inline void Spread::push(int32_t patch)
 {
   grid_.close(patch);
   queue_.push_back(patch);
 }
 
-Spread::Prediction Spread::predict(int32_t i) const
-{
-  // Where there are no points the nearest patches will do.
-  return grid_.at(i).block < 0 ? predictFrom<kNearest>(i) : predictFrom<kAround>(i);
-}
-
 template <size_t count>
-Spread::Prediction Spread::predictFrom(int32_t i) const
+inline Spread::Prediction Spread::predict(int32_t i) const
 {
   float weights = 0;
   Prediction sum{Quad{}, Patch::kFar};
@@ -164,24 +136,59 @@ Spread::Prediction Spread::predictFrom(int32_t i) const
   return sum;
 }
 
-void Spread::settle(int32_t i, const Prediction& predicted)
+inline void Spread::settle(int32_t i, const Prediction& predicted)
 {
   constexpr Quad kFaded = {1, kFade, kFade, 0};
-  Patch& patch = grid_.at(i);
-  Quad plane = kFaded * predicted.plane;
-  patch.gap_m = predicted.gap_m;
-  if (patch.block >= 0)
+  put(i, kFaded * predicted.plane, predicted.gap_m);
+}
+
+inline void Spread::put(int32_t i, Quad plane, float gap_m)
+{
+  plane[3] = 1 / (1 + gap_m);
+  grid_.at(i).plane = plane;
+  grid_.at(i).gap_m = gap_m;
+}
+
+void Spread::settleColumns(int32_t i, const Prediction& predicted)
+{
+  findCandidates(grid_.at(i), predicted);
+  if (candidates_.empty())
   {
-    findCandidates(patch, predicted);
-    if (!candidates_.empty())
+    settle(i, predicted);
+    return;
+  }
+  grid_.at(i).measured = 1;
+  put(i, fitSlope(i, lowestSurface(), predicted), 0);
+}
+
+void Spread::from(std::span<const Seed> seeds)
+{
+  for (const Seed& seed : seeds)
+  {
+    plant(seed);
+  }
+  const size_t planted = queue_.size();
+  for (size_t i = 0; i < planted; ++i)
+  {
+    pushAround(queue_[i]);
+  }
+  for (size_t i = planted; i < queue_.size(); ++i)
+  {
+    const int32_t patch = queue_[i];
+    if (grid_.at(patch).block < 0)
     {
-      plane = fitSlope(i, lowestSurface(), predicted);
-      patch.gap_m = 0;
-      patch.measured = 1;
+      // Where there are no points the nearest patches will do.
+      settle(patch, predict<kNearest>(patch));
+    }
+    else
+    {
+      settleColumns(patch, predict<kAround>(patch));
+    }
+    if (grid_.at(patch).gap_m < static_cast<float>(params_.most_gap_m))
+    {
+      pushAround(patch);
     }
   }
-  plane[3] = 1 / (1 + patch.gap_m);
-  patch.plane = plane;
 }
 
 void Spread::findCandidates(const Patch& patch, const Prediction& predicted)
@@ -194,21 +201,22 @@ void Spread::findCandidates(const Patch& patch, const Prediction& predicted)
   const float rough = std::min(up, static_cast<float>(params_.step_m));
   const float slope_x = beyondNoise(predicted.slope_x());
   const float slope_y = beyondNoise(predicted.slope_y());
-  size_t high = 0;
-  candidates_.clear();
   const std::span<const PlacedColumn> columns = grid_.columnsOf(patch);
-  for (const PlacedColumn& c : columns)
+  candidates_.resize(columns.size());
+  size_t high = 0;
+  size_t found = 0;
+  for (const PlacedColumn& c : columns)  // without a branch: who is none is written over
   {
     const float slope = slope_x * grid_.along(c.x).offset_m + slope_y * grid_.along(c.y).offset_m;
     const float rise = c.low_m - slope - predicted.z_m();
     const float span = c.span_m();
     const float most = span < kKerbFlat_m ? kerb : span < kOneSurface_m ? up : rough;
-    if (rise >= -up - kBelow_m && rise <= most)
-    {
-      high += static_cast<size_t>(rise > up);
-      candidates_.push_back({(span < kOneSurface_m ? c.mean_m : c.low_m + kFoot_m) - slope, c.n});
-    }
+    const bool is_candidate = (rise >= -up - kBelow_m) & (rise <= most);
+    candidates_[found] = {(span < kOneSurface_m ? c.mean_m : c.low_m + kFoot_m) - slope, c.n};
+    high += static_cast<size_t>(is_candidate & (rise > up));
+    found += static_cast<size_t>(is_candidate);
   }
+  candidates_.resize(found);
   if (high > 0 && static_cast<float>(high) < kWide * static_cast<float>(columns.size()))
   {
     std::erase_if(candidates_, [&](const Candidate& c) { return c.z_m - predicted.z_m() > up; });

@@ -57,10 +57,11 @@ class Spread
   void plant(const Seed& seed);
   void pushAround(int32_t patch);
   void push(int32_t patch);
-  void settle(int32_t i, const Prediction& predicted);
-  Prediction predict(int32_t i) const;
   template <size_t count>
-  Prediction predictFrom(int32_t i) const;
+  Prediction predict(int32_t i) const;
+  void settle(int32_t i, const Prediction& predicted);
+  void settleColumns(int32_t i, const Prediction& predicted);
+  void put(int32_t i, Quad plane, float gap_m);
   void findCandidates(const Patch& patch, const Prediction& predicted);
   float lowestSurface();
   Quad fitSlope(int32_t i, float z_m, const Prediction& predicted) const;

@@ -55,7 +55,8 @@ struct Corner
       slope_x[k] = p.slope_x();
       slope_y[k] = p.slope_y();
       least[k] = p.isSettled() ? kLeastWeight : 0;
-      weight[k] = p.isSettled() ? kGuessed + p.measured * (1 - kGuessed) : 0;
+      const float weight_of = p.measured > 0 ? 1 : kGuessed;
+      weight[k] = p.isSettled() ? weight_of : 0;
     }
   }
 };
