@@ -26,7 +26,7 @@ struct Estimator::WorkSpace
 {
   PatchGrid grid;
   std::vector<Seed> seeds;
-  std::vector<Surface> surfaces;
+  Surfaces surfaces;
   std::vector<Verdict> verdicts;
 };
 
@@ -56,16 +56,16 @@ std::span<const Verdict> Estimator::estimate(
   {
     work_ = std::make_unique<WorkSpace>();
   }
-  work_->verdicts.assign(columns.size(), {});
   if (columns.empty() || seeds.empty() || window.empty())
   {
+    work_->verdicts.assign(columns.size(), {});
     return work_->verdicts;
   }
   work_->grid.reset(columns, lattice, window, params.patch_m);
   work_->seeds.assign(seeds.begin(), seeds.end());
   std::sort(work_->seeds.begin(), work_->seeds.end(), isBefore);
-  Spread(work_->grid, columns, params).from(work_->seeds);
-  Surfaces(work_->grid, columns, params).judge(work_->surfaces, work_->verdicts);
+  Spread(work_->grid, params).from(work_->seeds);
+  work_->surfaces.judge(work_->grid, params, work_->verdicts);
   return work_->verdicts;
 }
 }  // namespace traverse::ground

@@ -10,8 +10,6 @@ namespace traverse::ground
 {
 namespace
 {
-constexpr size_t kNearest = 8;
-
 /** Of a surface's heights within a patch, m: rings and grass, not steps. */
 constexpr float kSurfaceSpan_m = 0.10F;
 
@@ -44,9 +42,8 @@ constexpr float kFade = 0.8F;
 constexpr float kSlopePrior_m2 = 4;
 }  // namespace
 
-Spread::Spread(PatchGrid& grid, std::span<const Column> columns, const Params& params) :
+Spread::Spread(PatchGrid& grid, const Params& params) :
     grid_(grid),
-    columns_(columns),
     params_(params),
     most_slope_(static_cast<float>(std::tan(params.most_slope_deg * std::numbers::pi / 180))),
     around_()
@@ -62,33 +59,16 @@ Spread::Spread(PatchGrid& grid, std::span<const Column> columns, const Params& p
         {
           const auto square = static_cast<float>(x * x + y * y);
           const float side = grid.side_m();
-          around_[count++] = {
-              y * grid.stride() + x, static_cast<float>(x) * side, static_cast<float>(y) * side,
-              std::sqrt(square) * side, 1 / square};
+          const float x_m = static_cast<float>(x) * side;
+          const float y_m = static_cast<float>(y) * side;
+          around_[count++] = {Quad{x_m, 0, 0, 0},
+                              Quad{y_m, 0, 0, 0},
+                              Quad{x_m * x_m, x_m * y_m, y_m * y_m, 0},
+                              y * grid.stride() + x,
+                              std::sqrt(square) * side,
+                              1 / square};
         }
       }
-    }
-  }
-}
-
-void Spread::from(std::span<const Seed> seeds)
-{
-  for (const Seed& seed : seeds)
-  {
-    plant(seed);
-  }
-  const size_t planted = queue_.size();
-  for (size_t i = 0; i < planted; ++i)
-  {
-    pushAround(queue_[i]);
-  }
-  for (size_t i = planted; i < queue_.size(); ++i)
-  {
-    const int32_t patch = queue_[i];
-    settle(patch, predict(patch));
-    if (grid_.at(patch).gap_m < static_cast<float>(params_.most_gap_m))
-    {
-      pushAround(patch);
     }
   }
 }
@@ -109,69 +89,106 @@ void Spread::plant(const Seed& seed)
       const float distance = std::sqrt(dx * dx + dy * dy);
       const int32_t i = grid_.patchAt(x, y);
       const bool is_seed = distance <= seed.radius_m || (x == column && y == row);
-      if (i < 0 || !is_seed || grid_.at(i).state != Patch::State::unseen)
+      if (i < 0 || !is_seed || !grid_.isOpen(i))
       {
         continue;
       }
-      settle(
-          i,
-          {seed.z_m + seed.slope_x * dx + seed.slope_y * dy, seed.slope_x, seed.slope_y, distance});
-      queue_.push_back(i);
+      push(i);
+      const float z_m = seed.z_m + seed.slope_x * dx + seed.slope_y * dy;
+      settleColumns(i, {Quad{z_m, seed.slope_x, seed.slope_y, 0}, distance});
     }
   }
 }
 
-void Spread::pushAround(int32_t patch)
+inline void Spread::pushAround(int32_t patch)
 {
   for (size_t k = 0; k < kNearest; ++k)
   {
-    Patch& next = grid_.at(patch + around_[k].offset);
-    if (next.state == Patch::State::unseen)
+    const int32_t next = patch + around_[k].offset;
+    if (grid_.isOpen(next))
     {
-      next.state = Patch::State::queued;
-      queue_.push_back(patch + around_[k].offset);
+      push(next);
     }
   }
 }
 
-Spread::Prediction Spread::predict(int32_t i) const
+inline void Spread::push(int32_t patch)
 {
-  // Where there are no points the nearest patches will do.
-  const size_t count = grid_.at(i).block < 0 ? kNearest : around_.size();
+  grid_.close(patch);
+  queue_.push_back(patch);
+}
+
+template <size_t count>
+inline Spread::Prediction Spread::predict(int32_t i) const
+{
   float weights = 0;
-  Prediction sum;
-  sum.gap_m = Patch::kFar;
+  Prediction sum{Quad{}, Patch::kFar};
   for (size_t k = 0; k < count; ++k)  // without a branch: who is not settled has no trust
   {
     const Neighbour& n = around_[k];
     const Patch& p = grid_.at(i + n.offset);
-    const float w = n.weight * p.trust;
+    const float w = n.weight * p.trust();
     weights += w;
-    sum.z_m += w * (p.z_m - p.slope_x * n.x_m - p.slope_y * n.y_m);
-    sum.slope_x += w * p.slope_x;
-    sum.slope_y += w * p.slope_y;
+    sum.plane += w * (p.plane - p.slope_x() * n.x_m - p.slope_y() * n.y_m);
     sum.gap_m = std::min(sum.gap_m, p.gap_m + n.distance_m);
   }
-  return {sum.z_m / weights, sum.slope_x / weights, sum.slope_y / weights, sum.gap_m};
+  sum.plane /= weights;
+  return sum;
 }
 
-void Spread::settle(int32_t i, const Prediction& predicted)
+inline void Spread::settle(int32_t i, const Prediction& predicted)
 {
-  Patch& patch = grid_.at(i);
-  patch.state = Patch::State::settled;
-  patch.z_m = predicted.z_m;
-  patch.gap_m = predicted.gap_m;
-  patch.slope_x = kFade * predicted.slope_x;
-  patch.slope_y = kFade * predicted.slope_y;
-  findCandidates(patch, predicted);
-  if (!candidates_.empty())
+  constexpr Quad kFaded = {1, kFade, kFade, 0};
+  put(i, kFaded * predicted.plane, predicted.gap_m);
+}
+
+inline void Spread::put(int32_t i, Quad plane, float gap_m)
+{
+  plane[3] = 1 / (1 + gap_m);
+  grid_.at(i).plane = plane;
+  grid_.at(i).gap_m = gap_m;
+}
+
+void Spread::settleColumns(int32_t i, const Prediction& predicted)
+{
+  findCandidates(grid_.at(i), predicted);
+  if (candidates_.empty())
   {
-    patch.z_m = lowestSurface();
-    patch.gap_m = 0;
-    patch.measured = true;
-    fitSlope(i, predicted);
+    settle(i, predicted);
+    return;
   }
-  patch.trust = 1 / (1 + patch.gap_m);
+  grid_.at(i).measured = 1;
+  put(i, fitSlope(i, lowestSurface(), predicted), 0);
+}
+
+void Spread::from(std::span<const Seed> seeds)
+{
+  for (const Seed& seed : seeds)
+  {
+    plant(seed);
+  }
+  const size_t planted = queue_.size();
+  for (size_t i = 0; i < planted; ++i)
+  {
+    pushAround(queue_[i]);
+  }
+  for (size_t i = planted; i < queue_.size(); ++i)
+  {
+    const int32_t patch = queue_[i];
+    if (grid_.at(patch).block < 0)
+    {
+      // Where there are no points the nearest patches will do.
+      settle(patch, predict<kNearest>(patch));
+    }
+    else
+    {
+      settleColumns(patch, predict<kAround>(patch));
+    }
+    if (grid_.at(patch).gap_m < static_cast<float>(params_.most_gap_m))
+    {
+      pushAround(patch);
+    }
+  }
 }
 
 void Spread::findCandidates(const Patch& patch, const Prediction& predicted)
@@ -181,35 +198,28 @@ void Spread::findCandidates(const Patch& patch, const Prediction& predicted)
       static_cast<float>(params_.step_m) + static_cast<float>(params_.slope_change) * over_gap,
       static_cast<float>(params_.most_jump_m));
   const float kerb = std::max(up, static_cast<float>(params_.kerb_m));
+  const float rough = std::min(up, static_cast<float>(params_.step_m));
+  const float slope_x = beyondNoise(predicted.slope_x());
+  const float slope_y = beyondNoise(predicted.slope_y());
+  const std::span<const PlacedColumn> columns = grid_.columnsOf(patch);
+  candidates_.resize(columns.size());
   size_t high = 0;
-  size_t columns = 0;
-  candidates_.clear();
-  const std::span<const int32_t> numbers = grid_.columnsOf(patch);
-  for (size_t k = 0; k < numbers.size(); ++k)
+  size_t found = 0;
+  for (const PlacedColumn& c : columns)  // without a branch: who is none is written over
   {
-    if (numbers[k] < 0)
-    {
-      continue;
-    }
-    ++columns;
-    const Column& c = columns_[static_cast<size_t>(numbers[k])];
-    const float slope = beyondNoise(predicted.slope_x) * grid_.offset_m(k % grid_.cells()) +
-                        beyondNoise(predicted.slope_y) * grid_.offset_m(k / grid_.cells());
-    const float rise = c.low_m - slope - predicted.z_m;
-    const float span = c.top_m - c.low_m;
-    if (rise < -up - kBelow_m ||
-        rise > (span < kKerbFlat_m     ? kerb
-                : span < kOneSurface_m ? up
-                                       : std::min(up, static_cast<float>(params_.step_m))))
-    {
-      continue;
-    }
-    high += static_cast<size_t>(rise > up);
-    candidates_.push_back({(span < kOneSurface_m ? c.mean_m : c.low_m + kFoot_m) - slope, c.n});
+    const float slope = slope_x * grid_.along(c.x).offset_m + slope_y * grid_.along(c.y).offset_m;
+    const float rise = c.low_m - slope - predicted.z_m();
+    const float span = c.span_m();
+    const float most = span < kKerbFlat_m ? kerb : span < kOneSurface_m ? up : rough;
+    const bool is_candidate = (rise >= -up - kBelow_m) & (rise <= most);
+    candidates_[found] = {(span < kOneSurface_m ? c.mean_m : c.low_m + kFoot_m) - slope, c.n};
+    high += static_cast<size_t>(is_candidate & (rise > up));
+    found += static_cast<size_t>(is_candidate);
   }
-  if (high > 0 && static_cast<float>(high) < kWide * static_cast<float>(columns))
+  candidates_.resize(found);
+  if (high > 0 && static_cast<float>(high) < kWide * static_cast<float>(columns.size()))
   {
-    std::erase_if(candidates_, [&](const Candidate& c) { return c.z_m - predicted.z_m > up; });
+    std::erase_if(candidates_, [&](const Candidate& c) { return c.z_m - predicted.z_m() > up; });
   }
 }
 
@@ -252,35 +262,32 @@ float Spread::lowestSurface()
   return sum / weights;
 }
 
-void Spread::fitSlope(int32_t i, const Prediction& predicted)
+/** The plane with height z_m whose slopes fit the measured patches around and the prediction. */
+Quad Spread::fitSlope(int32_t i, float z_m, const Prediction& predicted) const
 {
-  Patch& patch = grid_.at(i);
-  float xx = kSlopePrior_m2;
-  float xy = 0;
-  float yy = kSlopePrior_m2;
-  float xz = kSlopePrior_m2 * predicted.slope_x;
-  float yz = kSlopePrior_m2 * predicted.slope_y;
-  for (const Neighbour& n : around_)
+  Quad squares = {kSlopePrior_m2, 0, kSlopePrior_m2, 0};
+  float xz = kSlopePrior_m2 * predicted.slope_x();
+  float yz = kSlopePrior_m2 * predicted.slope_y();
+  for (const Neighbour& n : around_)  // without a branch: who is not measured counts 0 times
   {
     const Patch& p = grid_.at(i + n.offset);
-    if (p.state == Patch::State::settled && p.measured)
-    {
-      const float dz = p.z_m - patch.z_m;
-      xx += n.x_m * n.x_m;
-      xy += n.x_m * n.y_m;
-      yy += n.y_m * n.y_m;
-      xz += n.x_m * dz;
-      yz += n.y_m * dz;
-    }
+    const float dz = p.measured * (p.z_m() - z_m);
+    squares += p.measured * n.squares;
+    xz += n.x_m[0] * dz;
+    yz += n.y_m[0] * dz;
   }
+  const float xx = squares[0];
+  const float xy = squares[1];
+  const float yy = squares[2];
   const float determinant = xx * yy - xy * xy;
-  patch.slope_x = (xz * yy - yz * xy) / determinant;
-  patch.slope_y = (yz * xx - xz * xy) / determinant;
-  const float steepness = std::sqrt(patch.slope_x * patch.slope_x + patch.slope_y * patch.slope_y);
+  float slope_x = (xz * yy - yz * xy) / determinant;
+  float slope_y = (yz * xx - xz * xy) / determinant;
+  const float steepness = std::sqrt(slope_x * slope_x + slope_y * slope_y);
   if (steepness > most_slope_)
   {
-    patch.slope_x *= most_slope_ / steepness;
-    patch.slope_y *= most_slope_ / steepness;
+    slope_x *= most_slope_ / steepness;
+    slope_y *= most_slope_ / steepness;
   }
+  return Quad{z_m, slope_x, slope_y, 0};
 }
 }  // namespace traverse::ground

@@ -16,17 +16,21 @@ namespace traverse::ground
 class Spread
 {
  public:
-  Spread(PatchGrid& grid, std::span<const Column> columns, const Params& params);
+  Spread(PatchGrid& grid, const Params& params);
 
   void from(std::span<const Seed> seeds);
 
  private:
+  static constexpr size_t kNearest = 8;
+  static constexpr size_t kAround = 24;
+
   /** A neighbour of a patch. */
   struct Neighbour
   {
+    Quad x_m = {};  //!< its place, in the first of the four; 0 in the others
+    Quad y_m = {};
+    Quad squares = {};   //!< x^2, x y, y^2
     int32_t offset = 0;  //!< in the patches' array
-    float x_m = 0;
-    float y_m = 0;
     float distance_m = 0;
     float weight = 0;
   };
@@ -34,10 +38,14 @@ class Spread
   /** What the settled patches around say of a patch. */
   struct Prediction
   {
-    float z_m = 0;
-    float slope_x = 0;
-    float slope_y = 0;
+    Quad plane = {};  //!< as Patch::plane, without a weight
     float gap_m = 0;
+
+    float z_m() const { return plane[0]; }
+
+    float slope_x() const { return plane[1]; }
+
+    float slope_y() const { return plane[2]; }
   };
 
   struct Candidate
@@ -48,17 +56,20 @@ class Spread
 
   void plant(const Seed& seed);
   void pushAround(int32_t patch);
-  void settle(int32_t i, const Prediction& predicted);
+  void push(int32_t patch);
+  template <size_t count>
   Prediction predict(int32_t i) const;
+  void settle(int32_t i, const Prediction& predicted);
+  void settleColumns(int32_t i, const Prediction& predicted);
+  void put(int32_t i, Quad plane, float gap_m);
   void findCandidates(const Patch& patch, const Prediction& predicted);
   float lowestSurface();
-  void fitSlope(int32_t i, const Prediction& predicted);
+  Quad fitSlope(int32_t i, float z_m, const Prediction& predicted) const;
 
   PatchGrid& grid_;
-  std::span<const Column> columns_;
   const Params& params_;
   float most_slope_;
-  std::array<Neighbour, 24> around_;  //!< the eight nearest first
+  std::array<Neighbour, kAround> around_;  //!< the eight nearest first
   std::vector<int32_t> queue_;
   std::vector<Candidate> candidates_;
 };

@@ -3,7 +3,9 @@
 #include "surfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace traverse::ground
 {
@@ -33,113 +35,89 @@ constexpr float kOverMean_m = 0.10F;
 constexpr float kFoot_m = 0.02F;
 constexpr float kFootBelow_m = 0.10F;
 
-template <class F>
-void forEachAround(geometry::CellIndex cell, F&& f)
+/** Four patches that meet in a corner: the lower two, then the upper two. */
+struct Corner
 {
-  for (int32_t y = cell.y - 1; y <= cell.y + 1; ++y)
+  Quad z_m = {};
+  Quad slope_x = {};
+  Quad slope_y = {};
+  Quad weight = {};  //!< of a patch's share; 0 until it is settled
+  Quad least = {};
+
+  Corner(const PatchGrid& grid, int32_t lower_left)
   {
-    for (int32_t x = cell.x - 1; x <= cell.x + 1; ++x)
+    const std::array<int32_t, 4> patches = {
+        lower_left, lower_left + 1, lower_left + grid.stride(), lower_left + grid.stride() + 1};
+    for (size_t k = 0; k < patches.size(); ++k)
     {
-      f(x, y);
+      const Patch& p = grid.at(patches[k]);
+      z_m[k] = p.z_m();
+      slope_x[k] = p.slope_x();
+      slope_y[k] = p.slope_y();
+      least[k] = p.isSettled() ? kLeastWeight : 0;
+      const float weight_of = p.measured > 0 ? 1 : kGuessed;
+      weight[k] = p.isSettled() ? weight_of : 0;
     }
   }
-}
-}  // namespace
+};
 
-Surfaces::Surfaces(const PatchGrid& grid, std::span<const Column> columns, const Params& params) :
-    grid_(grid), columns_(columns), params_(params)
+/** A patch's four corners: what the ground's height in its cells is made of. */
+class Corners
 {
-}
+ public:
+  Corners(const PatchGrid& grid, int32_t patch) :
+      grid_(grid),
+      side_m_(grid.side_m()),
+      corners_{
+          Corner(grid, patch - grid.stride() - 1), Corner(grid, patch - grid.stride()),
+          Corner(grid, patch - 1), Corner(grid, patch)}
+  {
+  }
 
-void Surfaces::judge(std::vector<Surface>& surfaces, std::vector<Verdict>& verdicts) const
+  /** From the planes of the four patches around, by distance; NaN where none is settled. */
+  float groundAt(const PlacedColumn& column) const
+  {
+    const PatchGrid::Along& x = grid_.along(column.x);
+    const PatchGrid::Along& y = grid_.along(column.y);
+    const Corner& c = corners_[static_cast<size_t>(3 + 2 * y.lower + x.lower)];
+    const Quad right = {x.part, x.part - 1, x.part, x.part - 1};
+    const Quad up = {y.part, y.part, y.part - 1, y.part - 1};
+    const Quad share_x = {1 - x.part, x.part, 1 - x.part, x.part};
+    const Quad share_y = {1 - y.part, 1 - y.part, y.part, y.part};
+    const Quad w = share_x * share_y * c.weight + c.least;
+    const Quad z = w * (c.z_m + side_m_ * (c.slope_x * right + c.slope_y * up));
+    const float weights = w[0] + w[1] + w[2] + w[3];
+    return weights > 0 ? (z[0] + z[1] + z[2] + z[3]) / weights
+                       : std::numeric_limits<float>::quiet_NaN();
+  }
+
+ private:
+  const PatchGrid& grid_;
+  float side_m_;
+  std::array<Corner, 4> corners_;
+};
+
+/** What the patch's slope adds to a cell's span. */
+float tiltOf(const Patch& patch, float cell_m)
 {
-  const size_t n = columns_.size();
-  surfaces.assign(n, {});
-  verdicts.assign(n, {});
-  for (size_t i = 0; i < n; ++i)
-  {
-    verdicts[i].ground_m = groundAt(columns_[i].cell);
-    surfaces[i] = firstLook(columns_[i], verdicts[i].ground_m);
-  }
-  // Support is looked for among all flat columns, so it is written down before any is dropped.
-  for (size_t i = 0; i < n; ++i)
-  {
-    const bool stays = !surfaces[i].flat || surfaces[i].over_m < kRaised_m ||
-                       isSupported(columns_[i], surfaces, i);
-    verdicts[i].limit_m = stays ? 0 : Verdict::kNone;
-  }
-  for (size_t i = 0; i < n; ++i)
-  {
-    surfaces[i].flat = surfaces[i].flat && verdicts[i].bearsGround();
-  }
-  for (size_t i = 0; i < n; ++i)
-  {
-    const Column& c = columns_[i];
-    const float ground = verdicts[i].ground_m;
-    const bool may_bear = c.low_m - ground <= static_cast<float>(params_.over_patch_m);
-    const float limit = !may_bear          ? Verdict::kNone
-                        : surfaces[i].flat ? c.mean_m + kOverMean_m + surfaces[i].tilt_m
-                                           : limitOfRough(c, ground, surfaces);
-    verdicts[i].limit_m = limit >= c.low_m ? limit : Verdict::kNone;
-  }
+  const auto tilt = [&](float slope) { return std::max(0.0F, std::abs(slope) - kLevel) * cell_m; };
+  return tilt(patch.slope_x()) + tilt(patch.slope_y());
 }
 
-/** From the planes of the four patches around, by distance. */
-float Surfaces::groundAt(geometry::CellIndex cell) const
-{
-  const PatchGrid::Between at = grid_.between(cell);
-  const float side = grid_.side_m();
-  float weights = 0;
-  float sum = 0;
-  const auto add = [&](int32_t offset, float right, float up, float share)
-  {
-    const Patch& patch = grid_.at(at.patch + offset);
-    if (patch.state == Patch::State::settled)
-    {
-      const float w = share * (patch.measured ? 1.0F : kGuessed) + kLeastWeight;
-      weights += w;
-      sum += w * (patch.z_m + side * (patch.slope_x * right + patch.slope_y * up));
-    }
-  };
-  const int32_t above = grid_.stride();
-  add(0, at.right, at.up, (1 - at.right) * (1 - at.up));
-  add(1, at.right - 1, at.up, at.right * (1 - at.up));
-  add(above, at.right, at.up - 1, (1 - at.right) * at.up);
-  add(above + 1, at.right - 1, at.up - 1, at.right * at.up);
-  return weights > 0 ? sum / weights : std::numeric_limits<float>::quiet_NaN();
-}
-
-Surface Surfaces::firstLook(const Column& column, float ground_m) const
-{
-  const Patch& patch = grid_.at(grid_.patchOf(column.cell));
-  const auto tilt = [this](float slope)
-  { return std::max(0.0F, std::abs(slope) - kLevel) * grid_.cell_m(); };
-  Surface s;
-  s.over_m = column.mean_m - ground_m;
-  s.tilt_m = tilt(patch.slope_x) + tilt(patch.slope_y);
-  s.flat = column.top_m - column.low_m <= static_cast<float>(params_.flat_m) + s.tilt_m &&
-           s.over_m < static_cast<float>(params_.over_patch_m) && s.over_m > -kBelow_m;
-  return s;
-}
-
-bool Surfaces::isSupported(const Column& column, std::span<const Surface> surfaces, size_t i) const
+/** Whether enough of the columns around have the height of this one and are as flat. */
+bool isSupported(
+    const PatchGrid& grid, int32_t patch, const PlacedColumn& column, float most_span_m, float tilt)
 {
   int all = -1;  // not the column itself
   int same = -1;
-  const float tilt = surfaces[i].tilt_m;
-  forEachAround(
-      column.cell,
-      [&](int32_t x, int32_t y)
+  grid.forEachAround(
+      patch, column,
+      [&](size_t i)
       {
-        const int32_t k = grid_.columnAt(x, y);
-        if (k < 0)
-        {
-          return;
-        }
-        const Column& other = columns_[static_cast<size_t>(k)];
+        const PlacedColumn& other = grid.columns()[i];
         ++all;
         same += static_cast<int>(
-            other.top_m - other.low_m <= static_cast<float>(params_.flat_m) + tilt &&
+            other.span_m() <= most_span_m &&
             std::abs(other.mean_m - column.mean_m) < kSame_m + tilt);
       });
   return same >= kSupport && static_cast<float>(same) >= kSupportShare * static_cast<float>(all);
@@ -147,29 +125,72 @@ bool Surfaces::isSupported(const Column& column, std::span<const Surface> surfac
 
 /** A column with more than ground in it: its points are ground up to just above the highest flat
  * column beside it. */
-float Surfaces::limitOfRough(
-    const Column& column, float ground_m, std::span<const Surface> surfaces) const
+float limitOfRough(
+    const PatchGrid& grid,
+    const Params& params,
+    int32_t patch,
+    const PlacedColumn& column,
+    float ground_m,
+    std::span<const float> flat_mean_m)
 {
   float highest = Verdict::kNone;
   float top = Verdict::kNone;
-  forEachAround(
-      column.cell,
-      [&](int32_t x, int32_t y)
+  grid.forEachAround(
+      patch, column,
+      [&](size_t i)
       {
-        const int32_t k = grid_.columnAt(x, y);
-        if (k < 0)
-        {
-          return;
-        }
-        const Column& other = columns_[static_cast<size_t>(k)];
-        top = std::max(top, other.top_m);
-        highest = surfaces[static_cast<size_t>(k)].flat ? std::max(highest, other.mean_m) : highest;
+        top = std::max(top, grid.columns()[i].top_m);
+        highest = std::max(highest, flat_mean_m[i]);
       });
   if (highest == Verdict::kNone)
   {
     highest = std::min(ground_m, std::max(column.low_m + kFoot_m, ground_m - kFootBelow_m));
   }
-  const bool at_obstacle = top - highest > static_cast<float>(params_.obstacle_m);
-  return highest + static_cast<float>(at_obstacle ? params_.at_obstacle_m : params_.over_surface_m);
+  const bool at_obstacle = top - highest > static_cast<float>(params.obstacle_m);
+  return highest + static_cast<float>(at_obstacle ? params.at_obstacle_m : params.over_surface_m);
+}
+}  // namespace
+
+void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Verdict>& verdicts)
+{
+  const std::span<const PlacedColumn> columns = grid.columns();
+  const auto over_patch = static_cast<float>(params.over_patch_m);
+  verdicts.resize(columns.size());
+  flat_mean_m_.resize(columns.size());
+  rough_.clear();
+  for (const PatchGrid::Block& block : grid.blocks())
+  {
+    const Corners corners(grid, block.patch);
+    const float tilt = tiltOf(grid.at(block.patch), grid.cell_m());
+    const float most_span = static_cast<float>(params.flat_m) + tilt;
+    for (uint32_t i = block.first; i < block.first + block.size; ++i)
+    {
+      const PlacedColumn& c = columns[i];
+      const float ground = corners.groundAt(c);
+      const float over = c.mean_m - ground;
+      // & and not &&, because it must not branch.
+      bool is_flat = (c.span_m() <= most_span) & (over < over_patch) & (over > -kBelow_m);
+      if (is_flat && over >= kRaised_m)
+      {
+        is_flat = isSupported(grid, block.patch, c, most_span, tilt);
+      }
+      const bool may_bear = c.low_m - ground <= over_patch;
+      const float limit = c.mean_m + kOverMean_m + tilt;
+      const bool bears = is_flat & may_bear & (limit >= c.low_m);
+      flat_mean_m_[i] = is_flat ? c.mean_m : Verdict::kNone;
+      verdicts[c.number] = {ground, bears ? limit : Verdict::kNone};
+      if (may_bear && !is_flat)
+      {
+        rough_.push_back({block.patch, i});
+      }
+    }
+  }
+  for (const Rough& rough : rough_)
+  {
+    const PlacedColumn& c = columns[rough.column];
+    Verdict& verdict = verdicts[c.number];
+    const float limit = limitOfRough(grid, params, rough.patch, c, verdict.ground_m, flat_mean_m_);
+    verdict.limit_m = limit >= c.low_m ? limit : Verdict::kNone;
+  }
 }
 }  // namespace traverse::ground

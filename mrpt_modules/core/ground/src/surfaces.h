@@ -11,30 +11,22 @@
 
 namespace traverse::ground
 {
-/** What a column is, seen from the settled patches. */
-struct Surface
-{
-  float over_m = 0;   //!< its mean height over the patches
-  float tilt_m = 0;   //!< what the ground's slope adds to a cell's span
-  bool flat = false;  //!< all of it is ground
-};
-
-/** Judges every column against the patches and the flat columns around it. */
+/** Judges every column against the patches and the flat columns around it. Keeps its work space. */
 class Surfaces
 {
  public:
-  Surfaces(const PatchGrid& grid, std::span<const Column> columns, const Params& params);
-
-  void judge(std::vector<Surface>& surfaces, std::vector<Verdict>& verdicts) const;
+  /** Verdicts by the columns' numbers. */
+  void judge(const PatchGrid& grid, const Params& params, std::vector<Verdict>& verdicts);
 
  private:
-  float groundAt(geometry::CellIndex cell) const;
-  Surface firstLook(const Column& column, float ground_m) const;
-  bool isSupported(const Column& column, std::span<const Surface> surfaces, size_t i) const;
-  float limitOfRough(const Column& column, float ground_m, std::span<const Surface> surfaces) const;
+  /** A column that needs the flat ones around it. */
+  struct Rough
+  {
+    int32_t patch = 0;
+    uint32_t column = 0;  //!< in PatchGrid::columns()
+  };
 
-  const PatchGrid& grid_;
-  std::span<const Column> columns_;
-  const Params& params_;
+  std::vector<float> flat_mean_m_;  //!< by column of the grid; Verdict::kNone where not flat
+  std::vector<Rough> rough_;
 };
 }  // namespace traverse::ground
