@@ -1,0 +1,2 @@
+# Drives without end: memory and time per cloud stay as they are.
+traverse_test(unit driven_cells_test USES traversability_grid)
