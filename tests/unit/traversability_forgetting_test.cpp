@@ -160,6 +160,30 @@ TEST(Forgetting, TheRollingWindowTakesTheYoungerSumsToo)
   EXPECT_LE(state.memory.young.tiles(), 4U);
 }
 
+TEST(Forgetting, WhatLeavesTheRollingWindowOverACornerIsForgottenWhole)
+{
+  Params params = forgetful(1000);
+  params.extent = Extent::rolling;
+  params.window_m = 20;
+  State state = makeState(params, kCar);
+  std::mt19937 random(1);
+  points::ScanBuffer scan = randomScan(random, 2000, 12);
+  for (int i = 0; i < 50; ++i)
+  {
+    scan.stamp = i * kSecond;
+    update(state, scan.view(), atPlace(8 * std::cos(i), 8 * std::sin(i)), params, kCar);
+  }
+  scan = randomScan(random, 10, 0.05);
+  for (double x = 8; x < 40; x += 6)  // in steps, so that the window is never left at once
+  {
+    scan.stamp = 50 * kSecond;
+    update(state, scan.view(), atPlace(x, x), params, kCar);
+  }
+  EXPECT_LE(state.slabs.size(), 80U) << "ten points of each of the last four scans, twice";
+  EXPECT_LE(state.memory.due.size(), 16U) << "tiles that are there";
+  EXPECT_EQ(state.memory.due.size(), state.memory.next.size());
+}
+
 TEST(Forgetting, CannotBeMergedExactly)
 {
   EXPECT_NE(mergeObstacle(forgetful(10)), "");

@@ -51,6 +51,11 @@ Memory::Young& youngOf(State& state, geometry::CellIndex index)
       *state.memory.young.obtain(index, std::numeric_limits<size_t>::max()));
 }
 
+geometry::CellRect rectOf(const Memory::Tile& tile)
+{
+  return {{tile.second, tile.first}, {tile.second + Cells::kSide, tile.first + Cells::kSide}};
+}
+
 void schedule(State& state, const Memory::Tile& tile, poses::TimeNs when)
 {
   state.memory.due[tile] = when;
@@ -69,11 +74,9 @@ void clear(State& state, Cells::Place place)
 poses::TimeNs lookThrough(
     State& state, const Memory::Tile& tile, poses::TimeNs now, poses::TimeNs age)
 {
-  const geometry::CellRect rect{
-      {tile.second, tile.first}, {tile.second + Cells::kSide, tile.first + Cells::kSide}};
   poses::TimeNs oldest = kNever;
   state.cells.forEachIn(
-      rect,
+      rectOf(tile),
       [&](Cells::Place place)
       {
         const int32_t head = state.cells.at(place).slabs;
@@ -172,16 +175,32 @@ void forgetUnseen(State& state, poses::TimeNs now, const Params& params)
   }
 }
 
-void clearYoung(State& state, const geometry::CellRect& gone, const geometry::CellRect& kept)
+void clearYoung(
+    State& state, std::span<const geometry::CellRect> gone, const geometry::CellRect& kept)
 {
-  state.memory.young.forEachIn(
-      gone,
-      [&](layers::TileGrid<Memory::Young>::Place place)
+  Memory& memory = state.memory;
+  for (const geometry::CellRect& rect : gone)
+  {
+    memory.young.forEachIn(
+        rect,
+        [&](layers::TileGrid<Memory::Young>::Place place)
+        {
+          Memory::Young& young = memory.young.at(place);
+          state.slabs.release(young.slabs);
+          young = {};
+        });
+  }
+  for (const geometry::CellRect& rect : gone)  // a tile may lie in two of them
+  {
+    memory.young.releaseTiles(rect, kept);
+  }
+  std::erase_if(
+      memory.due,
+      [&](const auto& entry)
       {
-        Memory::Young& young = state.memory.young.at(place);
-        state.slabs.release(young.slabs);
-        young = {};
+        const auto& [tile, when] = entry;
+        const bool is_gone = Cells::intersection(rectOf(tile), kept).empty();
+        return is_gone && memory.next.erase({when, tile}) > 0;
       });
-  state.memory.young.releaseTiles(gone, kept);
 }
 }  // namespace traverse::traversability_grid

@@ -226,8 +226,8 @@ void moveWindow(State& state, const geometry::CellRect& window)
   for (const geometry::CellRect& strip : gone)  // a tile may lie in two of them
   {
     state.cells.releaseTiles(strip, window);
-    clearYoung(state, strip, window);
   }
+  clearYoung(state, gone, window);
 }
 
 geometry::CellRect occupiedRect(const State& state)

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -56,6 +57,7 @@ void forgetUnseen(State& state, poses::TimeNs now, const Params& params);
 /** The tiles of the scan's cells are to be looked through when they are old enough. */
 void watchTiles(State& state, poses::TimeNs now, const Params& params);
 
-/** Lets go of the younger sums in a rectangle; tiles wholly outside `kept` go. */
-void clearYoung(State& state, const geometry::CellRect& gone, const geometry::CellRect& kept);
+/** Lets go of the younger sums in rectangles, and of the tiles wholly outside `kept`. */
+void clearYoung(
+    State& state, std::span<const geometry::CellRect> gone, const geometry::CellRect& kept);
 }  // namespace traverse::traversability_grid
