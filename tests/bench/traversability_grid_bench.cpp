@@ -1,8 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A KITTI cloud of 124,668 points into a 150 x 150 m grid of 0.2 m cells: ours with pose, sums and
-// classes; MRPT's height map with the same points (heights only); the slow and obvious way. And
-// ours where the map has become large. Each checks its answer first.
+// classes; the same with the ground estimate, with a label for each point, and by parts; MRPT's
+// height map with the same points (heights only); the slow and obvious way. And ours where the map
+// has become large. Each checks its answer first.
+#include "kitti_cloud.h"
+#include "naive_grid.h"
+
+#include <traverse/traversability_grid/point_labels.h>
 #include <traverse/traversability_grid/traversability_grid.h>
 
 #include <mrpt/maps/CHeightGridMap2D.h>
@@ -10,128 +15,20 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
-#include <zlib.h>
 
 namespace
 {
 using namespace traverse;
 using namespace traverse::traversability_grid;
+using namespace traverse::bench;
 
 const geometry::Vehicle kCar;
-constexpr double kHalf_m = 75;
-const std::filesystem::path kCloud =
-    std::filesystem::path(TRAVERSE_DATA_DIR) / "kitti-odo00-labelled/full_resolution/000000.bin.gz";
-
-void require(bool holds, const char* what)
-{
-  if (!holds)
-  {
-    throw std::runtime_error(what);
-  }
-}
-
-points::ScanBuffer readCloud()
-{
-  points::ScanBuffer scan;
-  gzFile in = gzopen(kCloud.c_str(), "rb");
-  std::array<float, 4> p{};
-  while (in != nullptr && gzread(in, p.data(), sizeof p) == static_cast<int>(sizeof p))
-  {
-    scan.x.push_back(p[0]);
-    scan.y.push_back(p[1]);
-    scan.z.push_back(p[2]);
-  }
-  gzclose(in);
-  require(scan.size() > 120'000, "the cloud's size");
-  return scan;
-}
-
-const points::ScanBuffer& cloud()
-{
-  static const points::ScanBuffer kScan = readCloud();
-  return kScan;
-}
-
-/** A pose of no round numbers, so that nothing is saved. */
-Eigen::Isometry3d at(double x)
-{
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = (Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()) *
-                Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX()))
-                   .toRotationMatrix();
-  T.translation() = Eigen::Vector3d(x + 0.123, 0.456, 1.73);
-  return T;
-}
-
-using NaiveCell = std::pair<uint32_t, Class>;  // points, class
-
-/** All of a cell's points, as the paper has them; two passes in double. */
-NaiveCell classifyNaively(const std::vector<Eigen::Vector3d>& points, const Classifier& classify)
-{
-  Features f;
-  f.n = points.size();
-  const auto n = static_cast<double>(points.size());
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points)
-  {
-    mean += p / n;
-  }
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& p : points)
-  {
-    const Eigen::Vector3d d = p - mean;
-    f.deviation_m = std::max(f.deviation_m, std::abs(d.z()));
-    scatter += d * d.transpose();
-  }
-  f.variance_m2 = scatter(2, 2) / n;
-  const double determinant = scatter(0, 0) * scatter(1, 1) - scatter(0, 1) * scatter(0, 1);
-  const double trace = scatter(0, 0) + scatter(1, 1);
-  f.has_plane = determinant > 1e-9 * trace * trace;
-  if (f.has_plane)
-  {
-    f.slope_x = (scatter(0, 2) * scatter(1, 1) - scatter(1, 2) * scatter(0, 1)) / determinant;
-    f.slope_y = (scatter(1, 2) * scatter(0, 0) - scatter(0, 2) * scatter(0, 1)) / determinant;
-  }
-  return {static_cast<uint32_t>(points.size()), classify(f)};
-}
-
-using NaiveMap = std::unordered_map<uint64_t, NaiveCell>;
-
-NaiveMap naiveMap(const points::ScanBuffer& scan, const Eigen::Isometry3d& T, const Params& params)
-{
-  const auto near = [&](double p, double robot) {
-    return static_cast<int64_t>(std::floor(p / 200)) - static_cast<int64_t>(std::floor(robot * 5));
-  };
-  std::unordered_map<uint64_t, std::vector<Eigen::Vector3d>> cells;
-  for (size_t i = 0; i < scan.size(); ++i)
-  {
-    const Eigen::Vector3d p = T * Eigen::Vector3d(scan.x[i], scan.y[i], scan.z[i]);
-    const Eigen::Vector3d mm(
-        std::round(p.x() * 1000), std::round(p.y() * 1000), std::round(p.z() * 1000));
-    const int64_t column = near(mm.x(), T.translation().x()) + 375;
-    const int64_t row = near(mm.y(), T.translation().y()) + 375;
-    if (column >= 0 && column < 750 && row >= 0 && row < 750 &&
-        std::abs(p.z() - T.translation().z()) <= 30)
-    {
-      cells[static_cast<uint64_t>(row * 750 + column)].push_back(mm / 1000);
-    }
-  }
-  const Classifier classify(params);
-  NaiveMap map;
-  for (const auto& [cell, points] : cells)
-  {
-    map[cell] = classifyNaively(points, classify);
-  }
-  return map;
-}
 
 /** The paper's reading: all of a cell's heights, which is also what the naive way has. */
 Params paper(Mode mode, Extent extent)
@@ -213,6 +110,103 @@ void oursAfter500m(benchmark::State& bench)
   updates(bench, paper(Mode::accumulated, Extent::growing), drive);
 }
 
+/** classifier = default. The cloud's sensor is 1.73 m above the ground, as at() has it. */
+Params withGround()
+{
+  Params params;
+  params.mode = Mode::accumulated;
+  params.extent = Extent::rolling;
+  params.window_m = 2 * kHalf_m;
+  return params;
+}
+
+geometry::Vehicle mounted()
+{
+  geometry::Vehicle car;
+  car.base_height_m = 1.73;
+  return car;
+}
+
+State mapWithGround()
+{
+  State map = makeState(withGround(), mounted());
+  update(map, cloud().view(), at(0), withGround(), mounted());
+  const auto labels = labelsOfLastScan(map, cloud().view(), at(0), withGround());
+  const auto ground = std::count(labels.begin(), labels.end(), PointLabel::ground);
+  require(ground > 40'000 && ground < 100'000, "points of the ground");
+  return map;
+}
+
+/** With the ground estimate, which `ours` does without. */
+void oursDefault(benchmark::State& bench)
+{
+  State map = mapWithGround();
+  for ([[maybe_unused]] auto _ : bench)
+  {
+    update(map, cloud().view(), at(0), withGround(), mounted());
+  }
+}
+
+/** And the label of every point. */
+void oursDefaultLabels(benchmark::State& bench)
+{
+  State map = mapWithGround();
+  for ([[maybe_unused]] auto _ : bench)
+  {
+    update(map, cloud().view(), at(0), withGround(), mounted());
+    benchmark::DoNotOptimize(labelsOfLastScan(map, cloud().view(), at(0), withGround()));
+  }
+}
+
+/** The labels only. */
+void partLabels(benchmark::State& bench)
+{
+  const State map = mapWithGround();
+  for ([[maybe_unused]] auto _ : bench)
+  {
+    benchmark::DoNotOptimize(labelsOfLastScan(map, cloud().view(), at(0), withGround()));
+  }
+}
+
+/** A judge that was given the map's cells. */
+void addCells(Judge& judge, const State& map)
+{
+  const geometry::CellRect window = map.window.value();
+  judge.begin(withGround(), mounted(), map.lattice, window, map.driven);
+  const SlabReading reading = slabReading(map, withGround(), mounted());
+  for (uint32_t number = 0; number < map.scan.size(); ++number)
+  {
+    judge.add(
+        map.scan.cell(number),
+        featuresOf(map.slabs, map.slabs.get(map.cells.at(map.touched[number]).slabs), reading));
+  }
+}
+
+/** Steps 4 and 5 up to the ground estimate: features, and each cell by itself. */
+void partFeatures(benchmark::State& bench)
+{
+  const State map = mapWithGround();
+  Judge judge;
+  for ([[maybe_unused]] auto _ : bench)
+  {
+    addCells(judge, map);
+  }
+  require(judge.judgements().size() == map.scan.size(), "judgements");
+}
+
+/** The same with the ground estimate and the cells judged against it. */
+void partFeaturesAndGround(benchmark::State& bench)
+{
+  const State map = mapWithGround();
+  Judge judge;
+  for ([[maybe_unused]] auto _ : bench)
+  {
+    addCells(judge, map);
+    judge.finish([](size_t /*i*/, int64_t /*floor_mm*/) { return Features(); });
+  }
+  require(judge.judgements().size() == map.scan.size(), "judgements");
+}
+
 void insertAll(mrpt::maps::CHeightGridMap2D& map, const Eigen::Isometry3d& T)
 {
   const points::ScanBuffer& scan = cloud();
@@ -273,6 +267,11 @@ BENCHMARK(ours)->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursSingleCloud)->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursGrowingNew)->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursAfter500m)->Unit(benchmark::kMicrosecond);
+BENCHMARK(oursDefault)->Unit(benchmark::kMicrosecond);
+BENCHMARK(oursDefaultLabels)->Unit(benchmark::kMicrosecond);
+BENCHMARK(partFeatures)->Unit(benchmark::kMicrosecond);
+BENCHMARK(partFeaturesAndGround)->Unit(benchmark::kMicrosecond);
+BENCHMARK(partLabels)->Unit(benchmark::kMicrosecond);
 BENCHMARK(peerMrptHeightGrid)->Unit(benchmark::kMicrosecond);
 BENCHMARK(naive)->Unit(benchmark::kMicrosecond);
 

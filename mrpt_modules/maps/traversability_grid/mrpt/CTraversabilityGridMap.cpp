@@ -52,13 +52,13 @@ std::vector<uint32_t> CTraversabilityGridMap::pointLabels(
   {
     return std::vector<uint32_t>(scan.size(), 0);
   }
-  std::vector<uint32_t> labels;
-  for (const auto label :
-       traversability_grid::labelsOfLastScan(state_, scan, pose->T_map_base, insertionOptions))
-  {
-    labels.push_back(static_cast<uint32_t>(label));
-  }
-  return labels;
+  const std::vector<traversability_grid::PointLabel> labels =
+      traversability_grid::labelsOfLastScan(state_, scan, pose->T_map_base, insertionOptions);
+  std::vector<uint32_t> codes(labels.size());
+  std::transform(
+      labels.begin(), labels.end(), codes.begin(),
+      [](traversability_grid::PointLabel label) { return static_cast<uint32_t>(label); });
+  return codes;
 }
 
 layers::LayerSet CTraversabilityGridMap::layerSet(std::optional<geometry::CellRect> window) const

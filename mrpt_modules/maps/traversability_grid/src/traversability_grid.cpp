@@ -5,6 +5,7 @@
 #include <traverse/traversability_grid/traversability_grid.h>
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 
 namespace traverse::traversability_grid
@@ -91,9 +92,11 @@ void judgeTouched(
         const Cell& cell = state.cells.at(state.touched[i]);
         return featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);
       });  // step 5
-  forEachTouched(
-      state, [&](uint32_t number, Cell& cell)
-      { setClass(cell, state.judge.judgements()[number], params); });  // step 6
+  const std::span<const Judgement> judgements = state.judge.judgements();
+  for (size_t i = 0; i < judgements.size(); ++i)
+  {
+    setClass(state.cells.at(state.touched[i]), judgements[i], params);  // step 6
+  }
 }
 
 void rememberRobot(State& state, poses::TimeNs stamp, const Eigen::Isometry3d& T_map_base)
