@@ -131,6 +131,7 @@ struct Forgery
   int32_t x = 3;
   uint32_t slabs = 1;
   uint32_t n = 3;
+  uint32_t level_n = 3;
   uint16_t low = 10;
   uint16_t high = 30;
   std::vector<int64_t> sums = {300, 300, 60, 40000, 40000, 40000, 6000, 6000, 1400, 30};
@@ -166,6 +167,7 @@ struct Forgery
         cell.i64(sum);
       }
       cell.u32(1);
+      cell.u32(level_n);
     }
     ByteWriter labels;
     labels.u32(static_cast<uint32_t>(sensors.size()));
@@ -222,6 +224,7 @@ TEST(Archive, ThatContradictsItselfIsRefused)
       forged([](Forgery& f) { f.sensors = std::vector<std::string>(40, "a"); }),
       HasSubstr("more sensors"));
   EXPECT_THAT(forged([](Forgery& f) { f.n = 0; }), HasSubstr("no points"));
+  EXPECT_THAT(forged([](Forgery& f) { f.level_n = 4; }), HasSubstr("no points"));
   EXPECT_THAT(forged([](Forgery& f) { f.low = 40; }), HasSubstr("no points"));
   EXPECT_THAT(forged([](Forgery& f) { f.high = 600; }), HasSubstr("no points"));
   for (size_t i = 0; i < 10; ++i)

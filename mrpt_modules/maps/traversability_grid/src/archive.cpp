@@ -16,7 +16,7 @@ using formats::ByteReader;
 using formats::ByteWriter;
 
 constexpr int64_t kMostNoise = 100'000'000;  // of one point: see ScanSource
-constexpr size_t kSlabBytes = 4 + 4 + 2 + 2 + 8 + 10 * 8 + 4;
+constexpr size_t kSlabBytes = 4 + 4 + 2 + 2 + 8 + 10 * 8 + 4 + 4;
 constexpr size_t kLeastCellBytes = 4 + 4 + 4 + kSlabBytes;
 
 void writeSlab(ByteWriter& out, const layers::HeightSlab& s, const SensorOrder& sensors)
@@ -31,6 +31,7 @@ void writeSlab(ByteWriter& out, const layers::HeightSlab& s, const SensorOrder& 
     out.i64(sum);
   }
   out.u32(sensors.archived(s.seen_by));
+  out.u32(s.level_n);
 }
 
 layers::HeightSlab readSlab(ByteReader& in)
@@ -46,6 +47,7 @@ layers::HeightSlab readSlab(ByteReader& in)
     *sum = in.i64();
   }
   s.seen_by = in.u32();
+  s.level_n = in.u32();
   return s;
 }
 
@@ -71,7 +73,7 @@ bool isPossible(const layers::HeightSlab& s, int64_t cell_mm, int64_t slab_mm)
          canBeSums(n, s.x, s.xx, side) && canBeSums(n, s.y, s.yy, side) &&
          canBeSums(n, s.z, s.zz, high) && canBeProducts(n, s.xy, side, side) &&
          canBeProducts(n, s.xz, side, high) && canBeProducts(n, s.yz, side, high) &&
-         canBeProducts(n, s.noise, 1, kMostNoise);
+         canBeProducts(n, s.noise, 1, kMostNoise) && s.level_n <= s.n;
 }
 
 std::string cellBytes(const State& state)

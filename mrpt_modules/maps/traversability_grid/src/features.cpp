@@ -148,6 +148,7 @@ Features featuresOf(
     }
     top_mm = bottom_mm + s->max_z_mm;
     f.n += s->n;
+    f.level_n += s->level_n;
     f.last_seen = std::max(f.last_seen, s->last_seen);
     sums.add(*s, static_cast<double>(bottom_mm - base_mm));
   }

@@ -11,6 +11,11 @@ namespace
 {
 constexpr double kMmPerM = geometry::kMillimetresPerMetre;
 
+/** A level beam meets what stands upright, and sees nothing of its height: it is taken to be so
+ * high.
+ */
+constexpr double kUpright_m = 0.5;
+
 ground::Params groundParams(const Params& params, const geometry::Vehicle& vehicle)
 {
   ground::Params p = params.ground;
@@ -89,7 +94,7 @@ ground::Column Judge::columnOf(geometry::CellIndex cell, const Features& f) cons
   constexpr uint64_t kMost = std::numeric_limits<uint32_t>::max();
   return {
       cell, static_cast<uint32_t>(std::min(f.n, kMost)), above(f.min_m), above(f.mean_m),
-      above(f.max_m)};
+      above(2 * f.level_n > f.n ? std::max(f.max_m, f.min_m + kUpright_m) : f.max_m)};
 }
 
 void Judge::finish(const Reread& reread)

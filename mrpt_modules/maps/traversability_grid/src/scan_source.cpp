@@ -13,6 +13,16 @@ namespace
 constexpr double kMmPerM = geometry::kMillimetresPerMetre;
 constexpr double kUnitsPerMm2 = 100;   // (0.1 mm)^2
 constexpr double kMostVariance = 1e8;  // one metre: more says nothing, and sums of it must fit
+
+/** A beam that meets something at its sensor's own height meets no ground, unless that rises just
+ * there: 5 cm and half a percent of the way are for the sensor's tilt and noise. */
+bool isLevel(double up_mm, double along_mm2)
+{
+  constexpr double kBand_mm = 50;
+  constexpr double kTilt = 0.005;
+  const double beyond = std::abs(up_mm) - kBand_mm;
+  return beyond <= 0 || beyond * beyond <= kTilt * kTilt * along_mm2;
+}
 }  // namespace
 
 ScanSource::ScanSource(
@@ -44,6 +54,8 @@ layers::HeightSlab ScanSource::sumsOf(const ScanSlab& slab, int32_t cell_mm, int
       range_variance_ * up / std::max(1.0, along + up) + angle_variance_ * along;
   sums.noise = static_cast<int64_t>(std::min(variance, kMostVariance)) * sums.n;
   sums.seen_by = sensor_bit_;
+  const double z = slab.level * static_cast<double>(slab_mm) + static_cast<double>(sums.z) / sums.n;
+  sums.level_n = isLevel(z - z_mm_, along) ? sums.n : 0;
   return sums;
 }
 }  // namespace traverse::traversability_grid

@@ -41,6 +41,7 @@ struct HeightSlab
   int64_t xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
   int64_t noise = 0;     //!< variances of the heights that the sensor's noise makes, (0.1 mm)^2
   uint32_t seen_by = 0;  //!< bits of the sensors that saw it at last_seen
+  uint32_t level_n = 0;  //!< of the n points, those that were met at their sensor's own height
 
   void add(PointInSlab p, poses::TimeNs stamp);
 
@@ -148,5 +149,6 @@ inline void HeightSlab::add(const HeightSlab& other)
   yz += other.yz;
   zz += other.zz;
   noise += other.noise;
+  level_n += other.level_n;
 }
 }  // namespace traverse::layers

@@ -33,6 +33,7 @@ struct Features
   double slope_y = 0;      //!< B
   double at_corner_m = 0;  //!< C
   double noise_m2 = 0;     //!< part of the variance that the sensor's noise makes
+  uint64_t level_n = 0;    //!< points met at their sensor's own height
   poses::TimeNs last_seen = 0;
 
   /** tan^2 of the angle gamma between the plane and the horizontal. */
