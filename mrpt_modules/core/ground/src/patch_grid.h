@@ -28,9 +28,9 @@ struct alignas(32) Patch
 
   float z_m() const { return plane[0]; }
 
-  float slope_x() const { return plane[1]; }
+  float slopeX() const { return plane[1]; }
 
-  float slope_y() const { return plane[2]; }
+  float slopeY() const { return plane[2]; }
 
   float trust() const { return plane[3]; }
 
@@ -116,7 +116,11 @@ class PatchGrid
   }
 
   /** For cells -1 to one beyond the patch. */
-  const Along& along(int32_t cell) const { return along_[static_cast<size_t>(cell + 1)]; }
+  const Along& along(int32_t cell) const
+  {
+    const int32_t i = cell + 1;
+    return along_[static_cast<size_t>(i)];
+  }
 
   /** Calls f(i) for the columns()[i] of the nine cells around one of a patch, and in it. */
   template <class F>

@@ -38,8 +38,8 @@ float beyondNoise(float slope)
 /** Where nothing is measured a slope fades by this from patch to patch. */
 constexpr float kFade = 0.8F;
 
-/** Weight of the predicted slope beside the measured one, m^2. */
-constexpr float kSlopePrior_m2 = 4;
+/** Weight of the predicted slope beside the measured one, square metres. */
+constexpr float kSlopePrior = 4;
 }  // namespace
 
 Spread::Spread(PatchGrid& grid, const Params& params) :
@@ -51,26 +51,28 @@ Spread::Spread(PatchGrid& grid, const Params& params) :
   size_t count = 0;
   for (const int32_t radius : {1, 2})
   {
-    for (int32_t y = -radius; y <= radius; ++y)
+    const int32_t edge = 2 * radius + 1;
+    for (int32_t i = 0; i < edge * edge; ++i)
     {
-      for (int32_t x = -radius; x <= radius; ++x)
+      const int32_t x = i % edge - radius;
+      const int32_t y = i / edge - radius;
+      if (std::max(std::abs(x), std::abs(y)) == radius)
       {
-        if (std::max(std::abs(x), std::abs(y)) == radius)
-        {
-          const auto square = static_cast<float>(x * x + y * y);
-          const float side = grid.side_m();
-          const float x_m = static_cast<float>(x) * side;
-          const float y_m = static_cast<float>(y) * side;
-          around_[count++] = {Quad{x_m, 0, 0, 0},
-                              Quad{y_m, 0, 0, 0},
-                              Quad{x_m * x_m, x_m * y_m, y_m * y_m, 0},
-                              y * grid.stride() + x,
-                              std::sqrt(square) * side,
-                              1 / square};
-        }
+        around_[count++] = neighbour(x, y);
       }
     }
   }
+}
+
+Spread::Neighbour Spread::neighbour(int32_t x, int32_t y) const
+{
+  const auto square = static_cast<float>(x * x + y * y);
+  const float side = grid_.side_m();
+  const float x_m = static_cast<float>(x) * side;
+  const float y_m = static_cast<float>(y) * side;
+  return {
+      Quad{x_m, 0, 0, 0},     Quad{y_m, 0, 0, 0},       Quad{x_m * x_m, x_m * y_m, y_m * y_m, 0},
+      y * grid_.stride() + x, std::sqrt(square) * side, 1 / square};
 }
 
 void Spread::plant(const Seed& seed)
@@ -129,7 +131,7 @@ inline Spread::Prediction Spread::predict(int32_t i) const
     const Patch& p = grid_.at(i + n.offset);
     const float w = n.weight * p.trust();
     weights += w;
-    sum.plane += w * (p.plane - p.slope_x() * n.x_m - p.slope_y() * n.y_m);
+    sum.plane += w * (p.plane - p.slopeX() * n.x_m - p.slopeY() * n.y_m);
     sum.gap_m = std::min(sum.gap_m, p.gap_m + n.distance_m);
   }
   sum.plane /= weights;
@@ -199,8 +201,8 @@ void Spread::findCandidates(const Patch& patch, const Prediction& predicted)
       static_cast<float>(params_.most_jump_m));
   const float kerb = std::max(up, static_cast<float>(params_.kerb_m));
   const float rough = std::min(up, static_cast<float>(params_.step_m));
-  const float slope_x = beyondNoise(predicted.slope_x());
-  const float slope_y = beyondNoise(predicted.slope_y());
+  const float slope_x = beyondNoise(predicted.slopeX());
+  const float slope_y = beyondNoise(predicted.slopeY());
   const std::span<const PlacedColumn> columns = grid_.columnsOf(patch);
   candidates_.resize(columns.size());
   size_t high = 0;
@@ -265,9 +267,9 @@ float Spread::lowestSurface()
 /** The plane with height z_m whose slopes fit the measured patches around and the prediction. */
 Quad Spread::fitSlope(int32_t i, float z_m, const Prediction& predicted) const
 {
-  Quad squares = {kSlopePrior_m2, 0, kSlopePrior_m2, 0};
-  float xz = kSlopePrior_m2 * predicted.slope_x();
-  float yz = kSlopePrior_m2 * predicted.slope_y();
+  Quad squares = {kSlopePrior, 0, kSlopePrior, 0};
+  float xz = kSlopePrior * predicted.slopeX();
+  float yz = kSlopePrior * predicted.slopeY();
   for (const Neighbour& n : around_)  // without a branch: who is not measured counts 0 times
   {
     const Patch& p = grid_.at(i + n.offset);

@@ -43,9 +43,9 @@ class Spread
 
     float z_m() const { return plane[0]; }
 
-    float slope_x() const { return plane[1]; }
+    float slopeX() const { return plane[1]; }
 
-    float slope_y() const { return plane[2]; }
+    float slopeY() const { return plane[2]; }
   };
 
   struct Candidate
@@ -54,6 +54,7 @@ class Spread
     uint32_t n = 0;
   };
 
+  Neighbour neighbour(int32_t x, int32_t y) const;
   void plant(const Seed& seed);
   void pushAround(int32_t patch);
   void push(int32_t patch);

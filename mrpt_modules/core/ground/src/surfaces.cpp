@@ -35,6 +35,12 @@ constexpr float kOverMean_m = 0.10F;
 constexpr float kFoot_m = 0.02F;
 constexpr float kFootBelow_m = 0.10F;
 
+float orNone(bool holds, float height_m)
+{
+  const Verdict none;
+  return holds ? height_m : none.limit_m;
+}
+
 /** Four patches that meet in a corner: the lower two, then the upper two. */
 struct Corner
 {
@@ -52,8 +58,8 @@ struct Corner
     {
       const Patch& p = grid.at(patches[k]);
       z_m[k] = p.z_m();
-      slope_x[k] = p.slope_x();
-      slope_y[k] = p.slope_y();
+      slope_x[k] = p.slopeX();
+      slope_y[k] = p.slopeY();
       least[k] = p.isSettled() ? kLeastWeight : 0;
       const float weight_of = p.measured > 0 ? 1 : kGuessed;
       weight[k] = p.isSettled() ? weight_of : 0;
@@ -79,7 +85,8 @@ class Corners
   {
     const PatchGrid::Along& x = grid_.along(column.x);
     const PatchGrid::Along& y = grid_.along(column.y);
-    const Corner& c = corners_[static_cast<size_t>(3 + 2 * y.lower + x.lower)];
+    const int32_t corner = 3 + 2 * y.lower + x.lower;
+    const Corner& c = corners_[static_cast<size_t>(corner)];
     const Quad right = {x.part, x.part - 1, x.part, x.part - 1};
     const Quad up = {y.part, y.part, y.part - 1, y.part - 1};
     const Quad share_x = {1 - x.part, x.part, 1 - x.part, x.part};
@@ -101,7 +108,7 @@ class Corners
 float tiltOf(const Patch& patch, float cell_m)
 {
   const auto tilt = [&](float slope) { return std::max(0.0F, std::abs(slope) - kLevel) * cell_m; };
-  return tilt(patch.slope_x()) + tilt(patch.slope_y());
+  return tilt(patch.slopeX()) + tilt(patch.slopeY());
 }
 
 /** Whether enough of the columns around have the height of this one and are as flat. */
@@ -177,8 +184,8 @@ void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Ve
       const bool may_bear = c.low_m - ground <= over_patch;
       const float limit = c.mean_m + kOverMean_m + tilt;
       const bool bears = is_flat & may_bear & (limit >= c.low_m);
-      flat_mean_m_[i] = is_flat ? c.mean_m : Verdict::kNone;
-      verdicts[c.number] = {ground, bears ? limit : Verdict::kNone};
+      flat_mean_m_[i] = orNone(is_flat, c.mean_m);
+      verdicts[c.number] = {ground, orNone(bears, limit)};
       if (may_bear && !is_flat)
       {
         rough_.push_back({block.patch, i});
@@ -190,7 +197,7 @@ void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Ve
     const PlacedColumn& c = columns[rough.column];
     Verdict& verdict = verdicts[c.number];
     const float limit = limitOfRough(grid, params, rough.patch, c, verdict.ground_m, flat_mean_m_);
-    verdict.limit_m = limit >= c.low_m ? limit : Verdict::kNone;
+    verdict.limit_m = orNone(limit >= c.low_m, limit);
   }
 }
 }  // namespace traverse::ground
