@@ -90,7 +90,18 @@ TEST_F(EndlessDrive, KeepsTimePerCloudFlat)
   std::printf(
       "%zu points a cloud or more; median %.3f ms in the second tenth, %.3f ms in the last; "
       "%.3f times a young map's\n",
-      drive->leastPoints(), drive->cpu_ms(0.1, 0.2), drive->cpu_ms(0.9, 1), ageing);
+      drive->leastPoints(), drive->cpuMs(0.1, 0.2), drive->cpuMs(0.9, 1), ageing);
+}
+
+/** A layer's values; -1 where there is none. */
+std::vector<double> valuesOf(const layers::LayerSet& set, const char* name)
+{
+  std::vector<double> values;
+  const auto add = [&](double value) { values.push_back(std::isnan(value) ? -1 : value); };
+  std::visit(
+      [&](const auto& data) { std::for_each(data.begin(), data.end(), add); },
+      set.find(name)->data);
+  return values;
 }
 
 TEST_F(EndlessDrive, EndsWithTheMapOfWhatItSawLast)
@@ -106,19 +117,7 @@ TEST_F(EndlessDrive, EndsWithTheMapOfWhatItSawLast)
   ASSERT_EQ(a.extent, b.extent);
   for (const char* name : {"traversability_class", "traversability_index", "point_count"})
   {
-    const auto values = [&](const layers::LayerSet& set)
-    {
-      return std::visit(
-          [](const auto& data)
-          {
-            std::vector<double> all(data.begin(), data.end());
-            std::replace_if(
-                all.begin(), all.end(), [](double v) { return std::isnan(v); }, -1);
-            return all;
-          },
-          set.find(name)->data);
-    };
-    EXPECT_TRUE(values(a) == values(b)) << name;
+    EXPECT_TRUE(valuesOf(a, name) == valuesOf(b, name)) << name;
   }
 }
 
@@ -145,7 +144,7 @@ TEST(EndlessDriveOfAGrowingMap, KeepsTimePerCloudFlat)
   std::printf(
       "%zu cells, %zu driven; median %.3f ms in the first tenth, %.3f ms in the last; %.3f times a "
       "young map's\n",
-      drive.state().occupied, drive.state().driven.cells().size(), drive.cpu_ms(0, 0.1),
-      drive.cpu_ms(0.9, 1), ageing);
+      drive.state().occupied, drive.state().driven.cells().size(), drive.cpuMs(0, 0.1),
+      drive.cpuMs(0.9, 1), ageing);
 }
 }  // namespace

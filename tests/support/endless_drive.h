@@ -104,7 +104,7 @@ class Drive
   }
 
   /** Median time of a cloud in a part of what go() drove. */
-  double cpu_ms(double from, double to) const { return median(cpu_ms_, from, to); }
+  double cpuMs(double from, double to) const { return median(cpu_ms_, from, to); }
 
   /** The first cloud after all of the last window had been out of the map: of what came before, no
    * point is left. */

@@ -39,9 +39,9 @@ class EndlessStreet
  public:
   explicit EndlessStreet(double step_m) : step_m_(step_m)
   {
-    for (double x = 0; x < kRepeat_m; x += step_m)
+    for (int i = 0; i * step_m < kRepeat_m; ++i)
     {
-      drawings_.push_back(draw(x));
+      drawings_.push_back(draw(i * step_m));
     }
   }
 
@@ -64,11 +64,12 @@ class EndlessStreet
   {
     std::vector<Eigen::Isometry3d> poses;
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
-    for (double way = 0; way < length_m; way += step_m_)
+    for (int i = 0; i * step_m_ < length_m; ++i)
     {
       p.z() = ground_m(p.x(), p.y());
       Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-      T.linear() = Eigen::AngleAxisd(heading_rad(way), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      T.linear() =
+          Eigen::AngleAxisd(heading_rad(i * step_m_), Eigen::Vector3d::UnitZ()).toRotationMatrix();
       T.translation() = p;
       poses.push_back(T);
       p += step_m_ * T.linear().col(0);
@@ -104,8 +105,9 @@ class EndlessStreet
         {{-500, -500, -1}, {500, -4, 0.12}},
         {{-500, -13, 0}, {500, -12, 3}},
         {{-500, 20, 0}, {500, 21, 2}}};
-    for (double x = -120 - x_m; x < 120; x += kRepeat_m)
+    for (int i = -5; i <= 5; ++i)
     {
+      const double x = i * kRepeat_m - x_m;
       boxes.push_back({{x, 2.1, 0.25}, {x + 4.4, 3.8, 1.45}});
       boxes.push_back({{x + 11, -3.8, 0.3}, {x + 16, -2, 2.2}});
     }
@@ -124,8 +126,10 @@ class EndlessStreet
     scan.T_base_sensor.translation() = from;
     for (int i = 0; i < kBeams * kAzimuths; ++i)
     {
-      const double up = (-30.67 + 41.34 / (kBeams - 1) * (i % kBeams)) * kRad;
-      const double left = (360.0 / kAzimuths * (i / kBeams) + 0.5) * kRad;  // along no axis
+      const int beam = i % kBeams;
+      const int azimuth = i / kBeams;
+      const double up = (-30.67 + 41.34 / (kBeams - 1) * beam) * kRad;
+      const double left = (360.0 / kAzimuths * azimuth + 0.5) * kRad;  // along no axis
       const Eigen::Vector3d along(
           std::cos(up) * std::cos(left), std::cos(up) * std::sin(left), std::sin(up));
       double range = std::numeric_limits<double>::infinity();

@@ -174,7 +174,8 @@ TEST(Forgetting, WhatLeavesTheRollingWindowOverACornerIsForgottenWhole)
     update(state, scan.view(), atPlace(8 * std::cos(i), 8 * std::sin(i)), params, kCar);
   }
   scan = randomScan(random, 10, 0.05);
-  for (double x = 8; x < 40; x += 6)  // in steps, so that the window is never left at once
+  for (const double x :
+       {8, 14, 20, 26, 32, 38})  // in steps, so that the window is never left at once
   {
     scan.stamp = 50 * kSecond;
     update(state, scan.view(), atPlace(x, x), params, kCar);
