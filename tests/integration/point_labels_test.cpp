@@ -61,16 +61,9 @@ class PointLabels : public ::testing::Test
   Finished label(std::vector<std::string> more = {})
   {
     std::vector<std::string> arguments = {
-        folder_ / "clouds.ini",
-        "--rawlog",
-        folder_ / "log.rawlog",
-        "--output",
-        folder_ / "out",
-        "--set",
-        "traverse-map.pictures=false",
-        "--quiet",
-        "--point-labels",
-        folder_ / "labels"};
+        folder_ / "clouds.ini", "--rawlog",        folder_ / "log.rawlog",        "--output",
+        folder_ / "out",        "--set",           "traverse-map.pictures=false", "--quiet",
+        "--point-labels",       folder_ / "labels"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return traverseMap(arguments);
   }
@@ -111,6 +104,32 @@ TEST_F(PointLabels, DoNotMixWithWhatIsThere)
   EXPECT_NE(again.exit_code, 0);
   EXPECT_THAT(again.err, HasSubstr("--force"));
   EXPECT_EQ(label({"--force"}).exit_code, 0);
+}
+
+TEST_F(PointLabels, AreNotWrittenOverFilesOfOthers)
+{
+  std::filesystem::create_directories(folder_ / "labels");
+  writeText(folder_ / "labels" / "000123.label", "mine");
+  EXPECT_EQ(label({"--force"}).exit_code, 1);
+  EXPECT_EQ(readText(folder_ / "labels" / "000123.label"), "mine");
+}
+
+TEST_F(PointLabels, StayWhereTheLogCannotBeRead)
+{
+  ASSERT_EQ(label().exit_code, 0);
+  const std::string before = readText(folder_ / "labels" / "000001.label");
+  writeText(folder_ / "log.rawlog", "no log");
+  EXPECT_EQ(label({"--force"}).exit_code, 4);
+  EXPECT_EQ(readText(folder_ / "labels" / "000001.label"), before);
+}
+
+TEST_F(PointLabels, DoNotLieInTheOutputFolder)
+{
+  const Finished ran = traverseMap(
+      {folder_ / "clouds.ini", "--rawlog", folder_ / "log.rawlog", "--output", folder_ / "out",
+       "--point-labels", folder_ / "out" / "labels"});
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_THAT(ran.err, HasSubstr("beside the output folder"));
 }
 
 TEST_F(PointLabels, AreNotForPieces)

@@ -21,8 +21,9 @@ class Why : public ::testing::Test
   {
     scratch = new ScratchFolder;
     const Finished ran = traverseMap(
-        {ini("vlp16"), "--output", *scratch / "out", "--set", "Maps.CTraversabilityGridMap_count=2",
-         "--set", "traverse-map.scene=false", "--set", "traverse-map.picture_width_px=200"});
+        {ini("vlp16"), "--output", *scratch / "out", "--set", "Vehicle.base_height_m=0", "--set",
+         "Maps.CTraversabilityGridMap_count=2", "--set", "traverse-map.scene=false", "--set",
+         "traverse-map.picture_width_px=200"});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
   }
 

@@ -89,7 +89,11 @@ TEST(Order, OfPointsDoesNotMatter)
 
 TEST(Order, OfAScansPiecesDoesNotMatter)
 {
-  const std::vector<Visit> whole = drive(5, 4);
+  std::vector<Visit> whole = drive(5, 4);
+  for (Visit& v : whole)
+  {
+    v.scan.T_base_sensor.translation().z() = 50;  // what is at its height is told scan by scan
+  }
   std::vector<Visit> pieces;
   std::mt19937 random(6);
   for (const Visit& v : whole)
@@ -99,6 +103,7 @@ TEST(Order, OfAScansPiecesDoesNotMatter)
     {
       points::ScanBuffer& part = parts[random() % parts.size()].scan;
       part.stamp = v.scan.stamp;
+      part.T_base_sensor = v.scan.T_base_sensor;
       addPoint(part, v.scan.x[i], v.scan.y[i], v.scan.z[i]);
     }
     pieces.insert(pieces.begin(), parts.begin(), parts.end());
@@ -212,7 +217,7 @@ class SweptMap
             cell = Cell{};
           }
         });
-    state_.driven.keep(window);
+    state_.driven.keep(window, state_.lattice);
     update(state_, v.scan.view(), v.T_map_base, params_, kCar);
   }
 

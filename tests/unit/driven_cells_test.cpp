@@ -11,7 +11,7 @@ namespace
 using namespace traverse;
 using namespace traverse::traversability_grid;
 
-constexpr geometry::Lattice kLattice;
+constexpr geometry::Lattice kLattice{DrivenCells::kStand_mm};  // a cell is a stand
 
 /** Cells of a square of 40, each with its own height. */
 DrivenCells scattered(std::mt19937& random, int count)
@@ -36,7 +36,7 @@ std::vector<double> heightsIn(const DrivenCells& driven, const geometry::CellRec
   {
     if (window.contains({place.second, place.first}))
     {
-      heights.push_back(stand.z_mm.middle());
+      heights.push_back(static_cast<double>(stand.z_mm.low));
     }
   }
   return heights;
@@ -61,7 +61,8 @@ TEST(DrivenCells, AreFoundInAWindowAsASweepOverAllFindsThem)
     {
       ASSERT_FLOAT_EQ(seeds[i].z_m, static_cast<float>(expected[i] / 1000));
     }
-    ASSERT_EQ(driven.referenceIn(window), expected.empty() ? 0 : std::llround(expected[0]));
+    ASSERT_EQ(
+        driven.referenceIn(window, kLattice), expected.empty() ? 0 : std::llround(expected[0]));
   }
 }
 }  // namespace

@@ -103,6 +103,57 @@ TEST(Default, WhatHangsAboveTheVehicleSaysNothingOfTheGround)
   EXPECT_EQ(classAt(state, 9.5, 0.1), Class::undefined);
 }
 
+TEST(Default, OneFloorAboveTheOtherDoesNotTakeTheLowerOnesGround)
+{
+  const Params params = growing();
+  State state = makeState(params, kCar);
+  const points::ScanBuffer scan = street();
+  update(state, scan.view(), atPlace(0, 0), params, kCar);
+  update(state, scan.view(), atPlace(0, 0, 4), params, kCar);  // the floor above
+  update(state, scan.view(), atPlace(0, 0), params, kCar);
+  EXPECT_EQ(classAt(state, 2.1, 0.1), Class::flat);
+  EXPECT_EQ(classAt(state, 5.1, 0.1), Class::obstacle);
+}
+
+TEST(Labels, CallNothingGroundThatLiesFarBelowTheKnownGround)
+{
+  points::ScanBuffer scan = street();
+  const size_t first = scan.size();
+  addLevel(scan, 12, -1, 14, 1, -3);  // a car on ground lower still, past an edge
+  const Params params = growing();
+  const State state = mapOf(scan, params);
+  const auto labels = labelsOfLastScan(state, scan.view(), atPlace(0, 0), params);
+  for (size_t i = first; i < labels.size(); ++i)
+  {
+    ASSERT_NE(labels[i], PointLabel::ground);
+  }
+}
+
+TEST(Labels, OfARefusedScanAreUndefined)
+{
+  const Params params = growing();
+  State state = makeState(params, kCar);
+  const points::ScanBuffer scan = street();
+  update(state, scan.view(), atPlace(0, 0), params, kCar);
+  ASSERT_TRUE(update(state, scan.view(), atPlace(1e300, 0), params, kCar).no_pose);
+  for (const PointLabel label : labelsOfLastScan(state, scan.view(), atPlace(0, 0), params))
+  {
+    ASSERT_EQ(label, PointLabel::undefined);
+  }
+}
+
+TEST(Default, MapsWithCellsFarApartAreArchivedAndRead)
+{
+  const Params params = growing();
+  State state = makeState(params, kCar);
+  update(state, street().view(), atPlace(0, 0), params, kCar);
+  update(state, street().view(), atPlace(500'000, -300'000), params, kCar);
+  const Map map = fromArchive(archive(state, params, kCar));
+  EXPECT_EQ(map.state.occupied, state.occupied);
+  EXPECT_EQ(classAt(map.state, 5.1, 0.1), Class::obstacle);
+  EXPECT_EQ(classAt(map.state, 500'005.1, -299'999.9), Class::obstacle);
+}
+
 TEST(Labels, AreGroundObstacleAndOverhangingInTheOrderOfThePoints)
 {
   points::ScanBuffer scan = street();

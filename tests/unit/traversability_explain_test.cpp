@@ -115,6 +115,7 @@ void addLevel(points::ScanBuffer& scan, double x, double y, double z)
 points::ScanBuffer plateScan(double z_m)
 {
   points::ScanBuffer scan;
+  scan.T_base_sensor.translation().z() = 1.7;
   scan.sensor_label = "TOP\n";
   const auto is_plate = [](int k) { return k >= 40 && k < 45; };
   for (int column = 0; column < 50; ++column)

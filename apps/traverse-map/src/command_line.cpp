@@ -103,10 +103,11 @@ void declare(CLI::App& cli, Command& command)
          "overhanging")
       ->type_name("DIR");
   declarePieces(cli, command);
-  cli.get_option("--point-labels")
-      ->excludes(cli.get_option("--piece"))
-      ->excludes(cli.get_option("--merge"));
   declareMapsOfMaps(cli, command);
+  for (const char* other : {"--piece", "--merge", "--rebuild", "--why"})
+  {
+    cli.get_option("--point-labels")->excludes(cli.get_option(other));
+  }
   cli.set_version_flag("--version", "traverse-map " TRAVERSE_VERSION);
   cli.footer(kFooter);
 }

@@ -14,18 +14,46 @@ namespace traverse::app
 {
 namespace fs = std::filesystem;
 
+namespace
+{
+/** Says that a folder's labels are ours, and may be replaced. */
+constexpr const char* kMark = "labels.txt";
+constexpr const char* kMarkText =
+    "Labels by traverse-map --point-labels: one uint32 per point; 0 undefined, 1 ground, 2 "
+    "obstacle, "
+    "3 overhanging.\n";
+
+bool hasFiles(const fs::path& folder)
+{
+  std::error_code problem;
+  const bool is_there = fs::exists(folder, problem);
+  const bool is_empty = !is_there || fs::is_empty(folder, problem);
+  if (problem)
+  {
+    throw formats::FileError("look into", folder, problem.value());
+  }
+  return !is_empty;
+}
+}  // namespace
+
 LabelFiles::LabelFiles(fs::path folder, bool force) : folder_(std::move(folder))
+{
+  if (hasFiles(folder_) && !(force && fs::exists(folder_ / kMark)))
+  {
+    throw formats::FileError(
+        folder_, force ? "has files that are no labels of traverse-map: give another folder"
+                       : "has files in it; --force replaces labels of an earlier run");
+  }
+}
+
+/** Nothing is touched before there is something to write. */
+void LabelFiles::begin()
 {
   std::error_code problem;
   fs::create_directories(folder_, problem);
-  const bool has_files = !problem && !fs::is_empty(folder_, problem);
   if (problem)
   {
     throw formats::FileError("make", folder_, problem.value());
-  }
-  if (has_files && !force)
-  {
-    throw formats::FileError(folder_, "has files in it; --force replaces its labels");
   }
   std::vector<fs::path> old;
   for (const auto& entry : fs::directory_iterator(folder_))
@@ -39,6 +67,7 @@ LabelFiles::LabelFiles(fs::path folder, bool force) : folder_(std::move(folder))
   {
     fs::remove(file);
   }
+  formats::writeFile(folder_ / kMark, kMarkText);
 }
 
 void LabelFiles::write(
@@ -46,6 +75,10 @@ void LabelFiles::write(
     const poses::PoseTrack& track,
     const std::vector<BuiltMap>& maps)
 {
+  if (number_ == 0)
+  {
+    begin();
+  }
   for (const BuiltMap& map : maps)
   {
     const std::vector<uint32_t> labels = map.consumer->pointLabels(decoded.scan.view(), track);

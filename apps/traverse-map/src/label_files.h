@@ -21,8 +21,8 @@ namespace traverse::app
 class LabelFiles
 {
  public:
-  /** Makes DIR. Throws formats::FileError where it cannot be made, or has files and `force` is not
-   * given (with it, its *.label files go). */
+  /** Throws formats::FileError where DIR has files; with `force`, where they are not those of an
+   * earlier run, whose labels go when the first new ones come. */
   LabelFiles(std::filesystem::path folder, bool force);
 
   /** Writes the next cloud's file with the labels of the first map that gives any. Throws
@@ -33,6 +33,8 @@ class LabelFiles
       const std::vector<BuiltMap>& maps);
 
  private:
+  void begin();
+
   std::filesystem::path folder_;
   uint64_t number_ = 0;
 };

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <span>
 #include <tuple>
 
@@ -100,6 +101,7 @@ points::ScanBuffer pointsOf(
     std::span<const OctreeKey> tile, double resolution_m, const Eigen::Vector3d& origin)
 {
   points::ScanBuffer scan;
+  scan.T_base_sensor.translation().setConstant(std::numeric_limits<double>::quiet_NaN());
   scan.sensor_label = "octree";
   scan.reserve(tile.size());
   for (const OctreeKey& k : tile)

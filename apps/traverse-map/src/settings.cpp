@@ -6,6 +6,7 @@
 
 #include <traverse/config/strict.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace traverse::app
@@ -134,6 +135,30 @@ void checkTogether(const Settings& settings)
     throw ConfigError("[Poses] source = file needs file = a trajectory");
   }
 }
+
+/** Labels within the output folder would be replaced with it; the output within theirs mixes with
+ * them. */
+void checkLabelFolder(const Settings& settings)
+{
+  if (settings.point_labels.empty() || settings.output.empty())
+  {
+    return;
+  }
+  const auto plain = [](const std::filesystem::path& p)
+  { return std::filesystem::weakly_canonical(std::filesystem::absolute(p)); };
+  const auto isIn = [](const std::filesystem::path& inner, const std::filesystem::path& outer)
+  {
+    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first ==
+           outer.end();
+  };
+  const std::filesystem::path labels = plain(settings.point_labels);
+  const std::filesystem::path output = plain(settings.output);
+  if (isIn(labels, output) || isIn(output, labels) || isIn(labels, output.string() + ".partial"))
+  {
+    throw ConfigError(
+        "--point-labels needs a folder beside the output folder, not within or around it");
+  }
+}
 }  // namespace
 
 Settings loadSettings(const Command& command)
@@ -168,6 +193,7 @@ Settings loadSettings(const Command& command)
   settings.rawlog = command.rebuild.empty() ? settings.rawlog : settings.rebuild;
   settings.output = command.output.empty() ? settings.run.output : command.output;
   settings.point_labels = command.point_labels;
+  checkLabelFolder(settings);
   settings.piece = command.piece;
   settings.force = command.force;
   settings.quiet = command.quiet;

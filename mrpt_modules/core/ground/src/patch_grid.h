@@ -58,6 +58,9 @@ class PatchGrid
  public:
   static constexpr int32_t kBorder = 2;
 
+  /** Along a patch's edge; patches of smaller cells are smaller. */
+  static constexpr int32_t kMostCells = 50;
+
   /** A patch's columns: a range of columns(). */
   struct Block
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "spread.h"
 
+#include <traverse/geometry/exact_trig.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,6 +30,13 @@ constexpr float kKerbFlat_m = 0.06F;
 /** A surface may lie so much below what a rise may above: noise. */
 constexpr float kBelow_m = 0.05F;
 
+/** The same bits on every processor, as libm's is not. */
+float tangent(double degrees)
+{
+  const geometry::SinCos v = geometry::sinCosOf(degrees * std::numbers::pi / 180);
+  return static_cast<float>(v.sin / v.cos);
+}
+
 /** A slope less what may be noise. */
 float beyondNoise(float slope)
 {
@@ -43,10 +52,7 @@ constexpr float kSlopePrior = 4;
 }  // namespace
 
 Spread::Spread(PatchGrid& grid, const Params& params) :
-    grid_(grid),
-    params_(params),
-    most_slope_(static_cast<float>(std::tan(params.most_slope_deg * std::numbers::pi / 180))),
-    around_()
+    grid_(grid), params_(params), most_slope_(tangent(params.most_slope_deg)), around_()
 {
   size_t count = 0;
   for (const int32_t radius : {1, 2})

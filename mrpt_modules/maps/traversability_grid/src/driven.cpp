@@ -14,9 +14,23 @@ constexpr float kStand_m = 1.0F;
 /** Steeper poses are a vehicle that lies on its side, or none. */
 constexpr double kSteepest = 1.0;
 
-geometry::CellIndex cellOf(const std::pair<int32_t, int32_t>& row_column)
+constexpr geometry::Lattice kStands{DrivenCells::kStand_mm};
+
+/** The stands whose middles lie in a window of cells. */
+geometry::CellRect standsOf(const geometry::CellRect& window, const geometry::Lattice& lattice)
 {
-  return {row_column.second, row_column.first};
+  const auto first = [&](int32_t cell)
+  {
+    const int64_t edge_mm = int64_t{cell} * lattice.cell_mm;
+    constexpr int64_t kHalf = DrivenCells::kStand_mm / 2;
+    return static_cast<int32_t>(-geometry::floorDiv(kHalf - edge_mm, DrivenCells::kStand_mm));
+  };
+  return {{first(window.min.x), first(window.min.y)}, {first(window.max.x), first(window.max.y)}};
+}
+
+int64_t middle_mm(int32_t stand)
+{
+  return int64_t{stand} * DrivenCells::kStand_mm + DrivenCells::kStand_mm / 2;
 }
 
 DrivenCells::Range only(int64_t value)
@@ -25,10 +39,7 @@ DrivenCells::Range only(int64_t value)
 }
 }  // namespace
 
-void DrivenCells::add(
-    const Eigen::Isometry3d& T_map_base,
-    const geometry::Vehicle& vehicle,
-    const geometry::Lattice& lattice)
+void DrivenCells::add(const Eigen::Isometry3d& T_map_base, const geometry::Vehicle& vehicle)
 {
   const Eigen::Vector3d p = T_map_base * Eigen::Vector3d(0, 0, -vehicle.base_height_m);
   const Eigen::Vector3d up = T_map_base.linear().col(2);
@@ -41,7 +52,7 @@ void DrivenCells::add(
     return;
   }
   const geometry::CellIndex cell =
-      lattice.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y()));
+      kStands.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y()));
   add({cell.y, cell.x},
       {only(geometry::toMillimetres(p.z())), only(std::llround(slope_x / kSlopeUnit)),
        only(std::llround(slope_y / kSlopeUnit))});
@@ -63,29 +74,36 @@ void DrivenCells::add(const DrivenCells& other)
   }
 }
 
-void DrivenCells::keep(const geometry::CellRect& window)
+void DrivenCells::keep(const geometry::CellRect& window, const geometry::Lattice& lattice)
 {
-  std::erase_if(cells_, [&](const auto& entry) { return !window.contains(cellOf(entry.first)); });
+  const geometry::CellRect kept = standsOf(window, lattice);
+  std::erase_if(
+      cells_,
+      [&](const auto& entry) {
+        return !kept.contains({entry.first.second, entry.first.first});
+      });
 }
 
 template <class F>
-void DrivenCells::forEachIn(const geometry::CellRect& window, F&& f) const
+void DrivenCells::forEachIn(
+    const geometry::CellRect& window, const geometry::Lattice& lattice, F&& f) const
 {
-  auto it = cells_.lower_bound({window.min.y, window.min.x});
-  while (it != cells_.end() && it->first.first < window.max.y)
+  const geometry::CellRect stands = standsOf(window, lattice);
+  auto it = cells_.lower_bound({stands.min.y, stands.min.x});
+  while (it != cells_.end() && it->first.first < stands.max.y)
   {
     const auto [row, column] = it->first;
-    if (column < window.min.x)
+    if (column < stands.min.x)
     {
-      it = cells_.lower_bound({row, window.min.x});
+      it = cells_.lower_bound({row, stands.min.x});
       continue;
     }
-    if (column >= window.max.x)
+    if (column >= stands.max.x)
     {
-      it = cells_.lower_bound({row + 1, window.min.x});
+      it = cells_.lower_bound({row + 1, stands.min.x});
       continue;
     }
-    if (!f(cellOf(it->first), it->second))
+    if (!f(middle_mm(column), middle_mm(row), it->second))
     {
       return;
     }
@@ -93,29 +111,42 @@ void DrivenCells::forEachIn(const geometry::CellRect& window, F&& f) const
   }
 }
 
-geometry::CellRect DrivenCells::boundsIn(const geometry::CellRect& window) const
+bool DrivenCells::anyIn(const geometry::CellRect& window, const geometry::Lattice& lattice) const
+{
+  bool any = false;
+  forEachIn(
+      window, lattice,
+      [&](int64_t /*x_mm*/, int64_t /*y_mm*/, const Stand& /*stand*/)
+      {
+        any = true;
+        return false;
+      });
+  return any;
+}
+
+geometry::CellRect DrivenCells::boundsIn(
+    const geometry::CellRect& window, const geometry::Lattice& lattice) const
 {
   geometry::CellRect bounds;
   forEachIn(
-      window,
-      [&](geometry::CellIndex c, const Stand& /*stand*/)
+      window, lattice,
+      [&](int64_t x_mm, int64_t y_mm, const Stand& /*stand*/)
       {
-        bounds = bounds.empty()
-                     ? geometry::CellRect{c, {c.x + 1, c.y + 1}}
-                     : geometry::CellRect{
-                           {std::min(bounds.min.x, c.x), std::min(bounds.min.y, c.y)},
-                           {std::max(bounds.max.x, c.x + 1), std::max(bounds.max.y, c.y + 1)}};
+        const geometry::CellIndex c = lattice.cellOf(x_mm, y_mm);
+        const geometry::CellRect one{c, {c.x + 1, c.y + 1}};
+        bounds = bounds.empty() ? one : geometry::bounding(bounds, one);
         return true;
       });
   return bounds;
 }
 
-int64_t DrivenCells::referenceIn(const geometry::CellRect& window) const
+int64_t DrivenCells::referenceIn(
+    const geometry::CellRect& window, const geometry::Lattice& lattice) const
 {
   int64_t reference_mm = 0;
   forEachIn(
-      window,
-      [&](geometry::CellIndex /*cell*/, const Stand& stand)
+      window, lattice,
+      [&](int64_t /*x_mm*/, int64_t /*y_mm*/, const Stand& stand)
       {
         reference_mm = stand.z_mm.low;
         return false;
@@ -129,18 +160,19 @@ void DrivenCells::seedsIn(
     int64_t reference_mm,
     std::vector<ground::Seed>& seeds) const
 {
+  constexpr double kMmPerM = geometry::kMillimetresPerMetre;
   const auto slope = [](const Range& range)
   { return static_cast<float>(range.middle() * kSlopeUnit); };
   seeds.clear();
   forEachIn(
-      window,
-      [&](geometry::CellIndex cell, const Stand& stand)
+      window, lattice,
+      [&](int64_t x_mm, int64_t y_mm, const Stand& stand)
       {
-        const double above_mm = stand.z_mm.middle() - static_cast<double>(reference_mm);
+        const auto above_mm = static_cast<double>(stand.z_mm.low - reference_mm);
         seeds.push_back(
-            {lattice.centre_m(cell.x), lattice.centre_m(cell.y),
-             static_cast<float>(above_mm / geometry::kMillimetresPerMetre), slope(stand.slope_x),
-             slope(stand.slope_y), kStand_m});
+            {static_cast<double>(x_mm) / kMmPerM, static_cast<double>(y_mm) / kMmPerM,
+             static_cast<float>(above_mm / kMmPerM), slope(stand.slope_x), slope(stand.slope_y),
+             kStand_m});
         return true;
       });
 }

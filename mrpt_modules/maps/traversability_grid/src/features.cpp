@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/exact_trig.h>
 #include <traverse/geometry/lattice.h>
 #include <traverse/traversability_grid/features.h>
 
@@ -92,7 +93,8 @@ void fitPlane(const Sums& s, double base_mm, double thin_mm, Features& f)
 double tan2(double degrees)
 {
   constexpr double kRoom = 1 + 1e-12;
-  const double tangent = std::tan(degrees / kDegrees);
+  const geometry::SinCos v = geometry::sinCosOf(degrees / kDegrees);  // as on every processor
+  const double tangent = v.sin / v.cos;
   return degrees >= 90 ? std::numeric_limits<double>::infinity() : kRoom * tangent * tangent;
 }
 

@@ -32,16 +32,19 @@ int32_t groundReach(const Params& params, const geometry::Lattice& lattice)
 
 /** The window, and the driven cells from which ground can come into it. */
 geometry::CellRect withDriven(
-    const geometry::CellRect& window, const DrivenCells& driven, int32_t reach)
+    const geometry::CellRect& window,
+    const DrivenCells& driven,
+    const geometry::Lattice& lattice,
+    int32_t reach)
 {
+  if (driven.anyIn(window, lattice))
+  {
+    return window;
+  }
   const geometry::CellRect wide{
       {window.min.x - reach, window.min.y - reach}, {window.max.x + reach, window.max.y + reach}};
-  const geometry::CellRect seeds = driven.boundsIn(wide);
-  return seeds.empty()
-             ? window
-             : geometry::CellRect{
-                   {std::min(window.min.x, seeds.min.x), std::min(window.min.y, seeds.min.y)},
-                   {std::max(window.max.x, seeds.max.x), std::max(window.max.y, seeds.max.y)}};
+  const geometry::CellRect seeds = driven.boundsIn(wide, lattice);
+  return seeds.empty() ? window : geometry::bounding(window, seeds);
 }
 }  // namespace
 
@@ -62,12 +65,15 @@ void Judge::begin(
   ground_params_ = groundParams(params, vehicle);
   clearance_m_ = vehicle.height_m;
   lattice_ = lattice;
-  window_ =
-      driven.anyIn(window) ? window : withDriven(window, driven, groundReach(params, lattice));
-  reference_mm_ = driven.referenceIn(window_);
-  driven.seedsIn(window_, lattice, reference_mm_, seeds_);
   columns_.clear();
   judgements_.clear();
+  if (params.classifier == ClassifierKind::paper)
+  {
+    return;
+  }
+  window_ = withDriven(window, driven, lattice, groundReach(params, lattice));
+  reference_mm_ = driven.referenceIn(window_, lattice);
+  driven.seedsIn(window_, lattice, reference_mm_, seeds_);
 }
 
 void Judge::add(geometry::CellIndex cell, const Features& f)
@@ -111,7 +117,10 @@ void Judge::finish(const Reread& reread)
     {
       const bool is_false = columns_[i].low_m < verdicts[i].ground_m - kFalseReturn_m;
       const ground::Verdict verdict = is_false ? secondLook(i, verdicts[i], reread) : verdicts[i];
-      againstGround(columns_[i], verdict, judgements_[i]);
+      if (verdict.isKnown())
+      {
+        againstGround(columns_[i], verdict, judgements_[i]);
+      }
     }
   }
 }
@@ -123,7 +132,7 @@ ground::Verdict Judge::secondLook(size_t i, const ground::Verdict& first, const 
   const ground::Column column = columnOf(columns_[i].cell, f);
   if (!(column.low_m > columns_[i].low_m))
   {
-    return first;
+    return {};  // a ditch, or ground that the estimate does not know: it says nothing of the cell
   }
   columns_[i] = column;
   judgements_[i] = byItself(f);

@@ -3,6 +3,7 @@
 #include <traverse/geometry/lattice.h>
 #include <traverse/traversability_grid/params.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace traverse::traversability_grid
@@ -62,6 +63,15 @@ void check(const Params& p)
     throw options::OptionError("cell_size_m", options::format(p.cell_size_m), "whole millimetres");
   }
   checkEdge("window_m", p.window_m, p.cell_size_m);
+  constexpr double kMostPatchesAlongTheWindow = 3000;
+  if (p.classifier == ClassifierKind::standard &&
+      p.window_m / std::max(p.ground.patch_m, p.cell_size_m) > kMostPatchesAlongTheWindow)
+  {
+    throw options::OptionError(
+        "ground_patch_m", options::format(p.ground.patch_m),
+        "patches of at least window_m / 3000 = " +
+            options::format(p.window_m / kMostPatchesAlongTheWindow));
+  }
   if (p.extent == Extent::fixed)
   {
     checkEdge("fixed_max_x_m", p.fixed_max_x_m - p.fixed_min_x_m, p.cell_size_m);

@@ -50,9 +50,9 @@ std::vector<PointLabel> labelsOfLastScan(
   constexpr double kRounding_mm = 0.5;  // heights were rounded to whole millimetres
   const std::span<const uint32_t> cells = state.scan.ofPoints();
   const std::span<const Judgement> judgements = state.judge.judgements();
-  if (cells.size() != scan.size())
+  if (cells.size() != scan.size())  // it was refused
   {
-    return {};
+    return std::vector<PointLabel>(scan.size(), PointLabel::undefined);
   }
   std::vector<PointLabel> labels(scan.size(), PointLabel::undefined);
   const Eigen::RowVector4d row_mm = T_map_base.matrix().row(2) * geometry::kMillimetresPerMetre;

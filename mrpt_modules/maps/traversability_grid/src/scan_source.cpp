@@ -33,6 +33,7 @@ ScanSource::ScanSource(
     stamp_(scan.stamp), sensor_bit_(sensor_bit)
 {
   const Eigen::Vector3d sensor = T_map_base * scan.T_base_sensor.translation();
+  has_place_ = sensor.allFinite();
   x_mm_ = sensor.x() * kMmPerM;
   y_mm_ = sensor.y() * kMmPerM;
   z_mm_ = sensor.z() * kMmPerM;
@@ -45,6 +46,11 @@ ScanSource::ScanSource(
 layers::HeightSlab ScanSource::sumsOf(const ScanSlab& slab, int32_t cell_mm, int32_t slab_mm) const
 {
   layers::HeightSlab sums = slab.sums(stamp_);
+  sums.seen_by = sensor_bit_;
+  if (!has_place_)
+  {
+    return sums;
+  }
   const double dx = (slab.cell.x + 0.5) * cell_mm - x_mm_;
   const double dy = (slab.cell.y + 0.5) * cell_mm - y_mm_;
   const double dz = (slab.level + 0.5) * slab_mm - z_mm_;
@@ -53,7 +59,6 @@ layers::HeightSlab ScanSource::sumsOf(const ScanSlab& slab, int32_t cell_mm, int
   const double variance =
       range_variance_ * up / std::max(1.0, along + up) + angle_variance_ * along;
   sums.noise = static_cast<int64_t>(std::min(variance, kMostVariance)) * sums.n;
-  sums.seen_by = sensor_bit_;
   const double z = slab.level * static_cast<double>(slab_mm) + static_cast<double>(sums.z) / sums.n;
   sums.level_n = isLevel(z - z_mm_, along) ? sums.n : 0;
   return sums;

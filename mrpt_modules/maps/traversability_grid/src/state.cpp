@@ -203,7 +203,7 @@ void moveWindow(State& state, const geometry::CellRect& window)
   {
     return;
   }
-  state.driven.keep(window);
+  state.driven.keep(window, state.lattice);
   const geometry::CellRect kept = Cells::intersection(*old, window);
   if (kept.empty())
   {

@@ -129,6 +129,8 @@ layers::UpdateStats update(
   stats.no_pose = !projection;
   if (!projection)
   {
+    state.scan.begin({}, {}, 0);  // no labels of the scan before
+    state.touched.clear();
     return stats;
   }
   collect(state, scan, *projection, params, stats);  // steps 1 to 3
@@ -144,7 +146,7 @@ layers::UpdateStats update(
   addToMap(state, ScanSource(scan, T_map_base, sensor, params), params, stats);
   stats.touched_cells = state.touched.size();
   stats.inserted = stats.points > 0;
-  state.driven.add(T_map_base, vehicle, state.lattice);
+  state.driven.add(T_map_base, vehicle);
   judgeTouched(state, projection->accepted(), params, vehicle);  // steps 4 to 6
   return stats;
 }

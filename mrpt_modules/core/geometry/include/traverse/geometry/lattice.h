@@ -63,6 +63,14 @@ struct CellRect
   friend bool operator==(const CellRect&, const CellRect&) = default;
 };
 
+/** The smallest rectangle around both. */
+inline CellRect bounding(const CellRect& a, const CellRect& b)
+{
+  return {
+      {a.min.x < b.min.x ? a.min.x : b.min.x, a.min.y < b.min.y ? a.min.y : b.min.y},
+      {a.max.x > b.max.x ? a.max.x : b.max.x, a.max.y > b.max.y ? a.max.y : b.max.y}};
+}
+
 /** The absolute lattice of square cells on which maps lie: cell edges at multiples of cell_mm from
  * map zero, whatever the map's extent. */
 struct Lattice

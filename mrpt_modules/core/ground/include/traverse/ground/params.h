@@ -30,8 +30,12 @@ template <class P, class F>
 void visitParams(P& p, F&& f)
 {
   using options::Option;
-  f(Option{"ground_patch_m", "edge of the patches in which the ground spreads, m", {0.1, 10}},
-    p.patch_m);
+  f(
+      Option{
+          "ground_patch_m",
+          "edge of the patches in which the ground spreads, 50 cells at most, m",
+          {0.1, 10}},
+      p.patch_m);
   f(
       Option{
           "ground_step_m",

@@ -60,7 +60,7 @@ struct Scan
 {
   TimeNs stamp = 0;               //!< reference time of the scan
   std::string_view sensor_label;  //!< as in the log; untrusted text
-  Eigen::Isometry3d T_base_sensor = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_base_sensor = Eigen::Isometry3d::Identity();  //!< NaN: from no one place
   std::span<const float> x, y, z;
   std::span<const float> time_s;     //!< of the point, relative to `stamp`
   std::span<const uint16_t> ring;    //!< laser or row, 0 = lowest elevation

@@ -51,48 +51,49 @@ class DrivenCells
 
   static constexpr double kSlopeUnit = 1e-4;
 
-  /** By row, then column. */
+  /** Stands are kept by squares of 1 m, so that a yard driven over for days has no more of them. */
+  static constexpr int32_t kStand_mm = 1000;
+
+  /** By row, then column, of the lattice of stands. */
   using Map = std::map<std::pair<int32_t, int32_t>, Stand>;
 
   /** The vehicle stood at T_map_base; a pose too steep to drive on is left out. */
-  void add(
-      const Eigen::Isometry3d& T_map_base,
-      const geometry::Vehicle& vehicle,
-      const geometry::Lattice& lattice);
+  void add(const Eigen::Isometry3d& T_map_base, const geometry::Vehicle& vehicle);
 
   void add(const std::pair<int32_t, int32_t>& row_column, const Stand& stand);
 
   void add(const DrivenCells& other);
 
   /** Forgets what lies outside. */
-  void keep(const geometry::CellRect& window);
+  void keep(const geometry::CellRect& window, const geometry::Lattice& lattice);
 
   void clear() { cells_.clear(); }
 
-  /** Ground under the vehicle, in a window; heights above reference_mm. */
+  /** Ground under the vehicle, in a window of cells; heights above reference_mm. Where it stood at
+   * several heights, as in a garage, the lowest. */
   void seedsIn(
       const geometry::CellRect& window,
       const geometry::Lattice& lattice,
       int64_t reference_mm,
       std::vector<ground::Seed>& seeds) const;
 
-  /** Height of the first driven cell in the window, or 0: a reference that depends on the driven
-   * cells only. */
-  int64_t referenceIn(const geometry::CellRect& window) const;
+  /** Height of the first stand in the window, or 0: a reference that depends on the stands only. */
+  int64_t referenceIn(const geometry::CellRect& window, const geometry::Lattice& lattice) const;
 
-  /** Whether there is a driven cell in the window. */
-  bool anyIn(const geometry::CellRect& window) const { return !boundsIn(window).empty(); }
+  /** Whether the vehicle stood in the window. */
+  bool anyIn(const geometry::CellRect& window, const geometry::Lattice& lattice) const;
 
-  /** The smallest rectangle with the driven cells of the window; empty where there is none. */
-  geometry::CellRect boundsIn(const geometry::CellRect& window) const;
+  /** The smallest rectangle of cells with the stands of the window; empty where there is none. */
+  geometry::CellRect boundsIn(
+      const geometry::CellRect& window, const geometry::Lattice& lattice) const;
 
   const Map& cells() const { return cells_; }
 
  private:
-  /** Calls f(CellIndex, const Stand&) row by row until it returns false; costs by the rows and cells
-   * of the window, not by the drive. */
+  /** Calls f(x_mm, y_mm, const Stand&) with the stands' middles, row by row, until it returns
+   * false; costs by the rows and stands of the window, not by the drive. */
   template <class F>
-  void forEachIn(const geometry::CellRect& window, F&& f) const;
+  void forEachIn(const geometry::CellRect& window, const geometry::Lattice& lattice, F&& f) const;
 
   Map cells_;
 };

@@ -23,7 +23,7 @@ enum class PointLabel : uint32_t
 
 /** What the points of the scan that update() took last are, in their order, from their cells and
  * their heights over the ground. With classifier = paper, which knows no ground, points of flat and
- * slightly rough cells are ground. Empty where that scan had another number of points. */
+ * slightly rough cells are ground. All undefined of a scan that was refused. */
 std::vector<PointLabel> labelsOfLastScan(
     const State& state,
     const points::Scan& scan,

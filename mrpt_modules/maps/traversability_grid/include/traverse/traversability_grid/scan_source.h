@@ -34,6 +34,7 @@ class ScanSource
  private:
   poses::TimeNs stamp_;
   uint32_t sensor_bit_;
+  bool has_place_ = true;      // false: points that no sensor saw from one place
   double x_mm_, y_mm_, z_mm_;  // of the sensor, map frame
   double range_variance_;      // in (0.1 mm)^2
   double angle_variance_;      // in (0.1 mm)^2 per mm^2

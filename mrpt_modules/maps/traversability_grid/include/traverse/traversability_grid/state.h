@@ -120,6 +120,26 @@ void clearCells(State& state);
 /** Moves the kept window: cells that leave it are forgotten. Costs by what leaves. */
 void moveWindow(State& state, const geometry::CellRect& window);
 
+/** A square of a large map that is judged by itself, with a margin to let the ground in. */
+struct Block
+{
+  geometry::CellRect shown;
+  geometry::CellRect judged;
+};
+
+/** The blocks of a rectangle that have cells: of 1024 patches, so that a map of any size takes no
+ * more memory to judge. */
+std::vector<Block> blocksOf(
+    const State& state, const Params& params, const geometry::CellRect& window);
+
+/** Judges a block's cells; `places` are where they are stored. */
+Judge judgeBlock(
+    const State& state,
+    const Params& params,
+    const geometry::Vehicle& vehicle,
+    const Block& block,
+    std::vector<Cells::Place>& places);
+
 /** Judges all cells of a rectangle against the ground that spreads from the driven cells in it, and
  * calls f(Place, const Judgement&) for each that has points, in the grid's order. */
 template <class F>
@@ -146,30 +166,17 @@ void judgeAll(
     const geometry::CellRect& window,
     F&& f)
 {
-  const SlabReading reading = slabReading(state, params, vehicle);
-  std::vector<Cells::Place> places;
-  const auto read = [&](Cells::Place place, int64_t floor_mm)
+  for (const Block& block : blocksOf(state, params, window))
   {
-    SlabReading from = reading;
-    from.floor_mm = floor_mm;
-    return featuresOf(state.slabs, state.slabs.get(state.cells.at(place).slabs), from);
-  };
-  Judge judge;
-  judge.begin(params, vehicle, state.lattice, window, state.driven);
-  state.cells.forEachIn(
-      window,
-      [&](Cells::Place place)
+    std::vector<Cells::Place> places;
+    const Judge judge = judgeBlock(state, params, vehicle, block, places);
+    for (size_t i = 0; i < places.size(); ++i)
+    {
+      if (block.shown.contains(state.cells.indexOf(places[i])))
       {
-        if (state.cells.at(place).slabs != layers::HeightSlabs::kNone)
-        {
-          places.push_back(place);
-          judge.add(state.cells.indexOf(place), read(place, reading.floor_mm));
-        }
-      });
-  judge.finish([&](size_t i, int64_t floor_mm) { return read(places[i], floor_mm); });
-  for (size_t i = 0; i < places.size(); ++i)
-  {
-    f(places[i], judge.judgements()[i]);
+        f(places[i], judge.judgements()[i]);
+      }
+    }
   }
 }
 }  // namespace traverse::traversability_grid
