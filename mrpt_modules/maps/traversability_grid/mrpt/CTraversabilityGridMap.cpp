@@ -30,11 +30,13 @@ layers::UpdateStats CTraversabilityGridMap::insertScan(
     return skipped;
   }
   octree_.adopt(octomapOptions);
-  const layers::UpdateStats stats =
+  layers::UpdateStats stats =
       traversability_grid::update(state_, scan, pose->T_map_base, insertionOptions, vehicle);
   if (!stats.no_pose)
   {
+    const uint64_t lost = octree_.counts().over_budget;
     octree_.insert(scan, pose->T_map_base);
+    stats.over_budget += octree_.counts().over_budget - lost;
   }
   return stats;
 }

@@ -43,6 +43,7 @@ std::vector<Block> blocksOf(
         }
       });
   std::vector<Block> blocks;
+  blocks.reserve(occupied.size());
   for (const auto& [row, column] : occupied)
   {
     blocks.push_back(
