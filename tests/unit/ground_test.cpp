@@ -240,7 +240,7 @@ TEST(Ground, HasTheSameBitsInAnyOrder)
   std::vector<Seed> seeds = {
       {0, 0, 0, 0, 0, 1}, {2.1, 0.3, 0.02F, 0, 0.05F, 1}, {-3.3, 5.1, 0.3F, 0, 0.05F, 1}};
   ground::Estimator estimator;
-  const auto bitsOf = [&]
+  const auto bits_of = [&]
   {
     std::map<std::pair<int32_t, int32_t>, std::pair<uint32_t, uint32_t>> bits;
     const auto verdicts =
@@ -253,9 +253,9 @@ TEST(Ground, HasTheSameBitsInAnyOrder)
     }
     return bits;
   };
-  const auto first = bitsOf();
+  const auto first = bits_of();
   std::shuffle(columns.begin(), columns.end(), random);
   std::shuffle(seeds.begin(), seeds.end(), random);
-  EXPECT_EQ(bitsOf(), first);
+  EXPECT_EQ(bits_of(), first);
 }
 }  // namespace

@@ -215,7 +215,7 @@ TEST(Default, TheNoiseOfAFarSensorIsNoRoughness)
   {
     addPoint(scan, 0.2 * (i % 10) + 0.02 + 0.16 * (random() % 100) / 100.0, 0.1, noise(random));
   }
-  const auto shareOfFlat = [&](double angle_noise_deg)
+  const auto share_of_flat = [&](double angle_noise_deg)
   {
     Params params = growing();
     params.angle_noise_deg = angle_noise_deg;
@@ -227,7 +227,7 @@ TEST(Default, TheNoiseOfAFarSensorIsNoRoughness)
     }
     return flat;
   };
-  EXPECT_EQ(shareOfFlat(0), 0) << "200 points with 3 cm of noise span more than flat allows";
-  EXPECT_GE(shareOfFlat(0.03), 8);
+  EXPECT_EQ(share_of_flat(0), 0) << "200 points with 3 cm of noise span more than flat allows";
+  EXPECT_GE(share_of_flat(0.03), 8);
 }
 }  // namespace

@@ -146,14 +146,15 @@ void checkLabelFolder(const Settings& settings)
   }
   const auto plain = [](const std::filesystem::path& p)
   { return std::filesystem::weakly_canonical(std::filesystem::absolute(p)); };
-  const auto isIn = [](const std::filesystem::path& inner, const std::filesystem::path& outer)
+  const auto lies_in = [](const std::filesystem::path& inner, const std::filesystem::path& outer)
   {
     return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first ==
            outer.end();
   };
   const std::filesystem::path labels = plain(settings.point_labels);
   const std::filesystem::path output = plain(settings.output);
-  if (isIn(labels, output) || isIn(output, labels) || isIn(labels, output.string() + ".partial"))
+  if (lies_in(labels, output) || lies_in(output, labels) ||
+      lies_in(labels, output.string() + ".partial"))
   {
     throw ConfigError(
         "--point-labels needs a folder beside the output folder, not within or around it");
