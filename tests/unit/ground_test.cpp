@@ -234,8 +234,12 @@ TEST(Ground, HasTheSameBitsInAnyOrder)
 {
   std::mt19937 random(3);
   Scene scene;
-  scene.put([&](double x, double y)
-            { return static_cast<float>(0.1 * std::sin(x) + 0.02 * (random() % 7) + 0.05 * y); });
+  scene.put(
+      [&](double x, double y)
+      {
+        return static_cast<float>(
+            0.1 * std::sin(x) + 0.02 * static_cast<double>(random() % 7) + 0.05 * y);
+      });
   std::vector<Column> columns = scene.columns();
   std::vector<Seed> seeds = {
       {0, 0, 0, 0, 0, 1}, {2.1, 0.3, 0.02F, 0, 0.05F, 1}, {-3.3, 5.1, 0.3F, 0, 0.05F, 1}};

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <support/grid_scenes.h>
 
 namespace
@@ -28,11 +29,14 @@ Params growing(ClassifierKind classifier = ClassifierKind::standard)
 /** Points 4 cm apart at a height over a rectangle. */
 void addLevel(points::ScanBuffer& scan, double x0, double y0, double x1, double y1, double z)
 {
-  for (double x = x0 + 0.02; x < x1; x += 0.04)
+  constexpr double kStep_m = 0.04;
+  const auto columns = static_cast<int>(std::lround((x1 - x0) / kStep_m));
+  const auto rows = static_cast<int>(std::lround((y1 - y0) / kStep_m));
+  for (int column = 0; column < columns; ++column)
   {
-    for (double y = y0 + 0.02; y < y1; y += 0.04)
+    for (int row = 0; row < rows; ++row)
     {
-      addPoint(scan, x, y, z);
+      addPoint(scan, x0 + (column + 0.5) * kStep_m, y0 + (row + 0.5) * kStep_m, z);
     }
   }
 }
@@ -75,9 +79,9 @@ TEST(Default, WhatALevelLaserMeetsIsAnObstacleThatThePaperTakesForFlat)
 {
   points::ScanBuffer scan;
   scan.T_base_sensor.translation().z() = 0.3;
-  for (double y = -3; y < 3; y += 0.01)
+  for (int i = -300; i < 300; ++i)
   {
-    addPoint(scan, 3.1, y, 0.3);
+    addPoint(scan, 3.1, 0.01 * i, 0.3);
   }
   EXPECT_EQ(classAt(mapOf(scan, growing()), 3.1, 0.1), Class::obstacle);
   Params paper = growing(ClassifierKind::paper);
@@ -213,7 +217,9 @@ TEST(Default, TheNoiseOfAFarSensorIsNoRoughness)
   scan.T_base_sensor.translation() = Eigen::Vector3d(-57, 0, 1.8);
   for (int i = 0; i < 2000; ++i)
   {
-    addPoint(scan, 0.2 * (i % 10) + 0.02 + 0.16 * (random() % 100) / 100.0, 0.1, noise(random));
+    addPoint(
+        scan, 0.2 * (i % 10) + 0.02 + 0.0016 * static_cast<double>(random() % 100), 0.1,
+        noise(random));
   }
   const auto share_of_flat = [&](double angle_noise_deg)
   {
