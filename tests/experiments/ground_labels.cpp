@@ -6,6 +6,7 @@
 // sensor frame are data. Peers on the same clouds: doc/benchmarks.md.
 //
 //   ground-labels [--data DIR --layout kitti|nuscenes]
+#include <cstdio>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -48,36 +49,41 @@ int usage()
   std::cerr << "usage: ground-labels [--data DIR --layout kitti|nuscenes]\n";
   return 2;
 }
+
+int run(const std::vector<std::string>& args)
+{
+  nlohmann::ordered_json figures;
+  if (args.empty())
+  {
+    measure(Layout::kitti, sharedData("kitti-odo00-labelled"), figures);
+    measure(Layout::nuscenes, sharedData("nuscenes-hdl32-labelled"), figures);
+  }
+  else if (
+      args.size() == 4 && args[0] == "--data" && args[2] == "--layout" &&
+      (args[3] == "kitti" || args[3] == "nuscenes"))
+  {
+    measure(args[3] == "kitti" ? Layout::kitti : Layout::nuscenes, args[1], figures);
+  }
+  else
+  {
+    return usage();
+  }
+  std::cout << figures.dump() << "\n";
+  return 0;
+}
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  const std::vector<std::string> args(argv + 1, argv + argc);
-  nlohmann::ordered_json figures;
   try
   {
-    if (args.empty())
-    {
-      measure(Layout::kitti, sharedData("kitti-odo00-labelled"), figures);
-      measure(Layout::nuscenes, sharedData("nuscenes-hdl32-labelled"), figures);
-    }
-    else if (args.size() == 4 && args[0] == "--data" && args[2] == "--layout")
-    {
-      if (args[3] != "kitti" && args[3] != "nuscenes")
-      {
-        return usage();
-      }
-      measure(args[3] == "kitti" ? Layout::kitti : Layout::nuscenes, args[1], figures);
-    }
-    else
-    {
-      return usage();
-    }
+    return run({argv + 1, argv + argc});
   }
   catch (const std::exception& e)
   {
-    std::cerr << "ground-labels: " << e.what() << "\n";
+    std::fputs("ground-labels: ", stderr);
+    std::fputs(e.what(), stderr);
+    std::fputs("\n", stderr);
     return 4;
   }
-  std::cout << figures.dump() << "\n";
 }

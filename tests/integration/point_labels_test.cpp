@@ -33,7 +33,8 @@ mrpt::obs::CObservationPointCloud cloud(double t_s)
   {
     for (int j = 0; j < 100; ++j)
     {
-      points->insertPointFast(0.05F * i + 1, 0.05F * j - 2.5F, -1.5F);
+      points->insertPointFast(
+          0.05F * static_cast<float>(i) + 1, 0.05F * static_cast<float>(j) - 2.5F, -1.5F);
     }
   }
   points->insertPointFast(kNan, 0, 0);
