@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace traverse::ground
 {
@@ -30,10 +29,9 @@ constexpr float kKerbFlat_m = 0.06F;
 /** A surface may lie so much below what a rise may above: noise. */
 constexpr float kBelow_m = 0.05F;
 
-/** The same bits on every processor, as libm's is not. */
 float tangent(double degrees)
 {
-  const geometry::SinCos v = geometry::sinCosOf(degrees * std::numbers::pi / 180);
+  const geometry::SinCos v = geometry::sinCosOf(degrees * geometry::kPi / 180);
   return static_cast<float>(v.sin / v.cos);
 }
 

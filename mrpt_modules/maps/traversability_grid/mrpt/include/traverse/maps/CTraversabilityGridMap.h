@@ -78,7 +78,9 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
   std::string archive() const override;
   void mergeArchive(std::string_view bytes) override;
   std::string mergeObstacle() const override;
+
   std::string_view archiveKind() const override { return traversability_grid::kArchiveKind; }
+
   std::vector<layers::Fact> explain(double x_m, double y_m) const override;
   std::vector<layers::ExtraFile> extraFiles() const override;  //!< the octree, where there is one
   std::string mergedEnding() const override;
