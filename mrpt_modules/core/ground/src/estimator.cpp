@@ -7,6 +7,7 @@
 #include <traverse/ground/estimator.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -21,6 +22,12 @@ bool isBefore(const Seed& a, const Seed& b)
   return key(a) < key(b);
 }
 }  // namespace
+
+int32_t cellsAlongPatch(double patch_m, const geometry::Lattice& lattice)
+{
+  constexpr int32_t kMost = 50;
+  return std::clamp(static_cast<int32_t>(std::lround(patch_m / lattice.cell_m())), 1, kMost);
+}
 
 struct Estimator::WorkSpace
 {

@@ -30,7 +30,7 @@ void PatchGrid::layOut(
 {
   window_ = window;
   cell_m_ = lattice.cell_m();
-  cells_ = std::clamp(static_cast<int32_t>(std::lround(patch_m / cell_m_)), 1, kMostCells);
+  cells_ = cellsAlongPatch(patch_m, lattice);
   side_m_ = static_cast<float>(cell_m_ * cells_);
   const auto patch = [&](int32_t cell) { return static_cast<int32_t>(floorDiv(cell, cells_)); };
   first_ = {patch(window.min.x), patch(window.min.y)};

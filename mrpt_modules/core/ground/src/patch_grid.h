@@ -4,6 +4,7 @@
 
 #include <traverse/ground/column.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -13,6 +14,16 @@ namespace traverse::ground
 {
 /** Four numbers that are added and multiplied at once. */
 using Quad = float __attribute__((vector_size(16)));
+
+/** The foot of a column of several surfaces: so much above its lowest point. */
+inline constexpr float kFoot_m = 0.02F;
+
+/** A slope less what may be noise. */
+inline float beyondNoise(float slope)
+{
+  constexpr float kLevel = 0.05F;
+  return slope - std::clamp(slope, -kLevel, kLevel);
+}
 
 /** A square of cells with one plane of ground. */
 struct alignas(32) Patch
@@ -57,9 +68,6 @@ class PatchGrid
 {
  public:
   static constexpr int32_t kBorder = 2;
-
-  /** Along a patch's edge; patches of smaller cells are smaller. */
-  static constexpr int32_t kMostCells = 50;
 
   /** A patch's columns: a range of columns(). */
   struct Block

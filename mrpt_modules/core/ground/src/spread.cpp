@@ -16,7 +16,6 @@ constexpr float kSurfaceSpan_m = 0.10F;
 
 /** A column within this span is one surface with noise; of others the foot is taken. */
 constexpr float kOneSurface_m = 0.12F;
-constexpr float kFoot_m = 0.02F;
 
 /** A surface of fewer points needs the lack of a better one. */
 constexpr uint32_t kSupport = 3;
@@ -29,19 +28,6 @@ constexpr float kKerbFlat_m = 0.06F;
 /** A surface may lie so much below what a rise may above: noise. */
 constexpr float kBelow_m = 0.05F;
 
-float tangent(double degrees)
-{
-  const geometry::SinCos v = geometry::sinCosOf(degrees * geometry::kPi / 180);
-  return static_cast<float>(v.sin / v.cos);
-}
-
-/** A slope less what may be noise. */
-float beyondNoise(float slope)
-{
-  constexpr float kLevel = 0.05F;
-  return slope - std::clamp(slope, -kLevel, kLevel);
-}
-
 /** Where nothing is measured a slope fades by this from patch to patch. */
 constexpr float kFade = 0.8F;
 
@@ -50,7 +36,11 @@ constexpr float kSlopePrior = 4;
 }  // namespace
 
 Spread::Spread(PatchGrid& grid, const Params& params) :
-    grid_(grid), params_(params), most_slope_(tangent(params.most_slope_deg)), around_()
+    grid_(grid),
+    params_(params),
+    most_slope_(
+        static_cast<float>(geometry::tangentOf(params.most_slope_deg * geometry::kPi / 180))),
+    around_()
 {
   size_t count = 0;
   for (const int32_t radius : {1, 2})

@@ -15,9 +15,6 @@ namespace
 constexpr float kGuessed = 0.1F;
 constexpr float kLeastWeight = 1e-9F;
 
-/** Slopes below this are noise, and add nothing to a cell's span. */
-constexpr float kLevel = 0.05F;
-
 /** A column further below the patches is a hole or a false return. */
 constexpr float kBelow_m = 0.30F;
 
@@ -32,7 +29,6 @@ constexpr float kSame_m = 0.06F;
 constexpr float kOverMean_m = 0.10F;
 
 /** Without a flat column nearby the foot of a rough one counts, so little below the patches. */
-constexpr float kFoot_m = 0.02F;
 constexpr float kFootBelow_m = 0.10F;
 
 float orNone(bool holds, float height_m)
@@ -107,7 +103,7 @@ class Corners
 /** What the patch's slope adds to a cell's span. */
 float tiltOf(const Patch& patch, float cell_m)
 {
-  const auto tilt = [&](float slope) { return std::max(0.0F, std::abs(slope) - kLevel) * cell_m; };
+  const auto tilt = [&](float slope) { return std::abs(beyondNoise(slope)) * cell_m; };
   return tilt(patch.slopeX()) + tilt(patch.slopeY());
 }
 

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_parts.h"
+#include "sensor_bits.h"
 
 #include <traverse/formats/archive.h>
 #include <traverse/formats/option_bytes.h>
 #include <traverse/traversability_grid/traversability_grid.h>
 
 #include <limits>
+#include <span>
 
 namespace traverse::traversability_grid
 {
@@ -19,7 +21,7 @@ constexpr int64_t kMostNoise = 100'000'000;  // of one point: see ScanSource
 constexpr size_t kSlabBytes = 4 + 4 + 2 + 2 + 8 + 10 * 8 + 4 + 4;
 constexpr size_t kLeastCellBytes = 4 + 4 + 4 + kSlabBytes;
 
-void writeSlab(ByteWriter& out, const layers::HeightSlab& s, const SensorOrder& sensors)
+void writeSlab(ByteWriter& out, const layers::HeightSlab& s, std::span<const uint32_t> sensors)
 {
   out.i32(s.level);
   out.u32(s.n);
@@ -30,7 +32,7 @@ void writeSlab(ByteWriter& out, const layers::HeightSlab& s, const SensorOrder& 
   {
     out.i64(sum);
   }
-  out.u32(sensors.archived(s.seen_by));
+  out.u32(renumbered(s.seen_by, sensors));
   out.u32(s.level_n);
 }
 
@@ -78,17 +80,13 @@ bool isPossible(const layers::HeightSlab& s, int64_t cell_mm, int64_t slab_mm)
 
 std::string cellBytes(const State& state)
 {
-  const SensorOrder sensors(state.sensors);
+  const std::vector<uint32_t> sensors = archivedBits(state.sensors);
   ByteWriter out;
   out.u64(state.occupied);
-  state.cells.forEach(
-      [&](Cells::Place place)
+  forEachOccupied(
+      state,
+      [&](Cells::Place place, const Cell& cell)
       {
-        const Cell& cell = state.cells.at(place);
-        if (cell.slabs == layers::HeightSlabs::kNone)
-        {
-          return;
-        }
         const geometry::CellIndex index = state.cells.indexOf(place);
         out.i32(index.x);
         out.i32(index.y);

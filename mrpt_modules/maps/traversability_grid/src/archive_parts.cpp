@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_parts.h"
 
+#include "sensor_bits.h"
+
 #include <algorithm>
 
 namespace traverse::traversability_grid
 {
 namespace
 {
-constexpr size_t kMostLabels = 31;
 constexpr size_t kLongestLabel = 4096;
 constexpr size_t kDrivenBytes = 4 + 4 + 6 * 8;
 
@@ -22,24 +23,15 @@ bool isIn(const DrivenCells::Range& range, int64_t most)
 }
 }  // namespace
 
-SensorOrder::SensorOrder(const std::vector<std::string>& sensors)
+std::vector<uint32_t> archivedBits(const std::vector<std::string>& sensors)
 {
+  std::vector<uint32_t> bits;
   for (const std::string& label : sensors)
   {
-    place_.push_back(static_cast<size_t>(std::count_if(
-        sensors.begin(), sensors.end(), [&](const std::string& other) { return other < label; })));
+    bits.push_back(sensorBitOf(static_cast<size_t>(std::count_if(
+        sensors.begin(), sensors.end(), [&](const std::string& other) { return other < label; }))));
   }
-}
-
-uint32_t SensorOrder::archived(uint32_t bits) const
-{
-  constexpr uint32_t kOthers = uint32_t{1} << kMostLabels;
-  uint32_t out = bits & kOthers;
-  for (size_t i = 0; i < place_.size(); ++i)
-  {
-    out |= ((bits >> i) & 1U) << place_[i];
-  }
-  return out;
+  return bits;
 }
 
 std::string sensorBytes(std::vector<std::string> sensors)
@@ -57,7 +49,7 @@ std::string sensorBytes(std::vector<std::string> sensors)
 void readSensors(formats::ByteReader in, std::vector<std::string>& sensors)
 {
   const uint32_t count = in.u32();
-  if (count > kMostLabels)
+  if (count > kMostSensors)
   {
     in.fail("more sensors than a map knows apart");
   }

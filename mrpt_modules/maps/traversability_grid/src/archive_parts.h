@@ -11,18 +11,9 @@
 
 namespace traverse::traversability_grid
 {
-/** Labels are archived in the order of the alphabet, whichever sensor came first. */
-class SensorOrder
-{
- public:
-  explicit SensorOrder(const std::vector<std::string>& sensors);
-
-  /** Bits of HeightSlab::seen_by as they are in the archive. */
-  uint32_t archived(uint32_t bits) const;
-
- private:
-  std::vector<size_t> place_;
-};
+/** The bit that each sensor has in the archive, whose labels stand in the order of the alphabet,
+ * whichever sensor came first. */
+std::vector<uint32_t> archivedBits(const std::vector<std::string>& sensors);
 
 std::string sensorBytes(std::vector<std::string> sensors);
 void readSensors(formats::ByteReader in, std::vector<std::string>& sensors);

@@ -133,8 +133,7 @@ geometry::CellRect DrivenCells::boundsIn(
       [&](int64_t x_mm, int64_t y_mm, const Stand& /*stand*/)
       {
         const geometry::CellIndex c = lattice.cellOf(x_mm, y_mm);
-        const geometry::CellRect one{c, {c.x + 1, c.y + 1}};
-        bounds = bounds.empty() ? one : geometry::bounding(bounds, one);
+        bounds = geometry::bounding(bounds, {c, {c.x + 1, c.y + 1}});
         return true;
       });
   return bounds;

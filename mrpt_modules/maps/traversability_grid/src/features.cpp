@@ -93,8 +93,7 @@ void fitPlane(const Sums& s, double base_mm, double thin_mm, Features& f)
 double tan2(double degrees)
 {
   constexpr double kRoom = 1 + 1e-12;
-  const geometry::SinCos v = geometry::sinCosOf(degrees / kDegrees);  // as on every processor
-  const double tangent = v.sin / v.cos;
+  const double tangent = geometry::tangentOf(degrees / kDegrees);  // as on every processor
   return degrees >= 90 ? std::numeric_limits<double>::infinity() : kRoom * tangent * tangent;
 }
 

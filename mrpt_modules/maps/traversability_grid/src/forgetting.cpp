@@ -75,16 +75,11 @@ poses::TimeNs lookThrough(
     State& state, const Memory::Tile& tile, poses::TimeNs now, poses::TimeNs age)
 {
   poses::TimeNs oldest = kNever;
-  state.cells.forEachIn(
-      rectOf(tile),
-      [&](Cells::Place place)
+  forEachOccupiedIn(
+      state, rectOf(tile),
+      [&](Cells::Place place, const Cell& cell)
       {
-        const int32_t head = state.cells.at(place).slabs;
-        if (head == HeightSlabs::kNone)
-        {
-          return;
-        }
-        const poses::TimeNs last = lastSeen(state, head);
+        const poses::TimeNs last = lastSeen(state, cell.slabs);
         if (last < now - age)
         {
           clear(state, place);

@@ -43,15 +43,15 @@ geometry::CellRect withDriven(
   }
   const geometry::CellRect wide{
       {window.min.x - reach, window.min.y - reach}, {window.max.x + reach, window.max.y + reach}};
-  const geometry::CellRect seeds = driven.boundsIn(wide, lattice);
-  return seeds.empty() ? window : geometry::bounding(window, seeds);
+  return geometry::bounding(window, driven.boundsIn(wide, lattice));
 }
-}  // namespace
 
+/** What a class by itself and a step against the ground make together. */
 Class worse(Class a, Class b)
 {
   return static_cast<Class>(std::max(static_cast<uint8_t>(a), static_cast<uint8_t>(b)));
 }
+}  // namespace
 
 void Judge::begin(
     const Params& params,

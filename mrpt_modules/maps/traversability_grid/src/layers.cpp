@@ -95,24 +95,6 @@ class Filler
 };
 }  // namespace
 
-namespace
-{
-template <class F>
-void forEachOccupied(const State& state, const geometry::CellRect& window, F&& f)
-{
-  state.cells.forEachIn(
-      window,
-      [&](Cells::Place place)
-      {
-        const Cell& cell = state.cells.at(place);
-        if (cell.slabs != layers::HeightSlabs::kNone)
-        {
-          f(place, cell);
-        }
-      });
-}
-}  // namespace
-
 geometry::CellRect extentOf(const State& state, const Params& params)
 {
   if (state.window)
@@ -155,7 +137,7 @@ layers::LayerSet layerSet(
   };
   if (window && state.rule == classRule(params, vehicle))
   {
-    forEachOccupied(state, *window, put);
+    forEachOccupiedIn(state, *window, put);
   }
   else
   {

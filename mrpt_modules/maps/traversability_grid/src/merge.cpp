@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sensor_bits.h"
+
 #include <traverse/traversability_grid/traversability_grid.h>
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 namespace traverse::traversability_grid
@@ -42,14 +45,10 @@ Need needOf(const State& state, const State& other)
 {
   Need need;
   std::optional<uint32_t> missing_tile;
-  other.cells.forEach(
-      [&](Cells::Place place)
+  forEachOccupied(
+      other,
+      [&](Cells::Place place, const Cell& from)
       {
-        const Cell& from = other.cells.at(place);
-        if (from.slabs == layers::HeightSlabs::kNone)
-        {
-          return;
-        }
         const auto into = state.cells.find(other.cells.indexOf(place));
         if (!into && missing_tile != place.tile)  // cells come tile by tile
         {
@@ -62,35 +61,21 @@ Need needOf(const State& state, const State& other)
   return need;
 }
 
-/** Sensor bits of the other map as this map counts them. */
-uint32_t translated(uint32_t seen_by, const std::vector<uint32_t>& bits)
-{
-  constexpr uint32_t kOthers = uint32_t{1} << 31U;
-  uint32_t out = seen_by & kOthers;
-  for (size_t i = 0; i < bits.size(); ++i)
-  {
-    out |= ((seen_by >> i) & 1U) != 0 ? bits[i] : 0;
-  }
-  return out;
-}
-
 /** There is room for it. */
 void addCell(
-    State& state, const State& other, Cells::Place place, const std::vector<uint32_t>& bits)
+    State& state,
+    geometry::CellIndex index,
+    const State& other,
+    const Cell& from,
+    std::span<const uint32_t> bits)
 {
-  const Cell& from = other.cells.at(place);
-  if (from.slabs == layers::HeightSlabs::kNone)
-  {
-    return;
-  }
-  const auto into =
-      state.cells.obtain(other.cells.indexOf(place), std::numeric_limits<size_t>::max());
+  const auto into = state.cells.obtain(index, std::numeric_limits<size_t>::max());
   Cell& cell = state.cells.at(*into);
   state.occupied += static_cast<size_t>(cell.slabs == layers::HeightSlabs::kNone);
   for (const auto* s = other.slabs.get(from.slabs); s != nullptr; s = other.slabs.get(s->next))
   {
     layers::HeightSlab slab = *s;
-    slab.seen_by = translated(s->seen_by, bits);
+    slab.seen_by = renumbered(s->seen_by, bits);
     state.slabs.obtain(cell.slabs, s->level)->add(slab);
   }
 }
@@ -132,7 +117,9 @@ void merge(State& state, const Params& params, const geometry::Vehicle& vehicle,
   {
     bits.push_back(sensorBit(state, label));
   }
-  other.state.cells.forEach([&](Cells::Place place) { addCell(state, other.state, place, bits); });
+  forEachOccupied(
+      other.state, [&](Cells::Place place, const Cell& from)
+      { addCell(state, other.state.cells.indexOf(place), other.state, from, bits); });
   state.driven.add(other.state.driven);
   reclassify(state, params, vehicle);
 }

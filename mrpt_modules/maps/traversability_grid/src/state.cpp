@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sensor_bits.h"
+
 #include <traverse/traversability_grid/state.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace traverse::traversability_grid
 {
 namespace
 {
 constexpr size_t kBytesPerMb = 1'000'000;
-constexpr size_t kMostSensors = 31;
 
 int64_t millimetres(double metres)
 {
@@ -75,6 +75,14 @@ bool addSums(
   return added > 0;
 }
 
+void dropCells(State& state)
+{
+  state.cells.clear();
+  state.slabs.clear();
+  state.memory = {};
+  state.occupied = 0;
+}
+
 void leaveOut(State& state, const std::vector<bool>& is_gone)
 {
   state.scan.remove(is_gone);
@@ -112,14 +120,22 @@ ClassRule classRule(const Params& params, const geometry::Vehicle& vehicle)
   return rule;
 }
 
-State makeState(const Params& params, const geometry::Vehicle& vehicle)
+Division divisionOf(const Params& params, const geometry::Vehicle& vehicle)
 {
   check(params);
   options::check(vehicle);
+  return {
+      {static_cast<int32_t>(millimetres(params.cell_size_m))},
+      static_cast<int32_t>(
+          std::min(millimetres(params.slab_height_m), millimetres(vehicle.height_m)))};
+}
+
+State makeState(const Params& params, const geometry::Vehicle& vehicle)
+{
+  const Division division = divisionOf(params, vehicle);
   State state;
-  state.lattice.cell_mm = static_cast<int32_t>(millimetres(params.cell_size_m));
-  state.slab_mm = static_cast<int32_t>(
-      std::min(millimetres(params.slab_height_m), millimetres(vehicle.height_m)));
+  state.lattice = division.lattice;
+  state.slab_mm = division.slab_mm;
   state.slabs.setMost(mostSlabs(params));
   state.rule = classRule(params, vehicle);
   return state;
@@ -139,8 +155,8 @@ size_t mostSlabs(const Params& params)
 
 SlabReading slabReading(const State& state, const Params& params, const geometry::Vehicle& vehicle)
 {
-  constexpr double kThin_mm =
-      30;  // where rings leave points almost on one line (the spec's figure)
+  // Where rings leave points almost on one line: the spec's figure.
+  constexpr double kThin_mm = 30;
   SlabReading reading;
   reading.slab_mm = state.slab_mm;
   reading.clearance_mm = millimetres(vehicle.height_m);
@@ -187,10 +203,7 @@ void clearCells(State& state)
   }
   else
   {
-    state.cells.clear();
-    state.slabs.clear();
-    state.memory = {};
-    state.occupied = 0;
+    dropCells(state);
   }
   state.touched.clear();
   state.driven.clear();
@@ -207,10 +220,7 @@ void moveWindow(State& state, const geometry::CellRect& window)
   const geometry::CellRect kept = Cells::intersection(*old, window);
   if (kept.empty())
   {
-    state.cells.clear();
-    state.slabs.clear();
-    state.memory = {};
-    state.occupied = 0;
+    dropCells(state);
     return;
   }
   const std::array<geometry::CellRect, 4> gone = {
@@ -232,21 +242,15 @@ void moveWindow(State& state, const geometry::CellRect& window)
 
 geometry::CellRect occupiedRect(const State& state)
 {
-  constexpr int32_t kLow = std::numeric_limits<int32_t>::min();
-  constexpr int32_t kHigh = std::numeric_limits<int32_t>::max();
-  geometry::CellRect rect{{kHigh, kHigh}, {kLow, kLow}};
-  state.cells.forEach(
-      [&](Cells::Place place)
+  geometry::CellRect rect;
+  forEachOccupied(
+      state,
+      [&](Cells::Place place, const Cell& /*cell*/)
       {
-        if (state.cells.at(place).slabs == layers::HeightSlabs::kNone)
-        {
-          return;
-        }
         const geometry::CellIndex c = state.cells.indexOf(place);
-        rect.min = {std::min(rect.min.x, c.x), std::min(rect.min.y, c.y)};
-        rect.max = {std::max(rect.max.x, c.x + 1), std::max(rect.max.y, c.y + 1)};
+        rect = geometry::bounding(rect, {c, {c.x + 1, c.y + 1}});
       });
-  return state.empty() ? geometry::CellRect{} : rect;
+  return rect;
 }
 
 void reclassify(State& state, const Params& params, const geometry::Vehicle& vehicle)
@@ -273,6 +277,6 @@ uint32_t sensorBit(State& state, std::string_view label)
   {
     state.sensors.emplace_back(label);
   }
-  return uint32_t{1} << std::min(number, kMostSensors);
+  return sensorBitOf(number);
 }
 }  // namespace traverse::traversability_grid

@@ -16,17 +16,16 @@ namespace
  * same lattice. */
 void adopt(State& state, const Params& params, const geometry::Vehicle& vehicle)
 {
-  const State fresh = makeState(params, vehicle);
-  const bool same_lattice = state.lattice == fresh.lattice && state.slab_mm == fresh.slab_mm;
-  if (!state.empty() && !same_lattice)
+  const Division division = divisionOf(params, vehicle);
+  if (!state.empty() && !(division == Division{state.lattice, state.slab_mm}))
   {
     throw std::invalid_argument(
         "a traversability grid with points keeps its cell_size_m and slab height; clear it first");
   }
-  state.lattice = fresh.lattice;
-  state.slab_mm = fresh.slab_mm;
+  state.lattice = division.lattice;
+  state.slab_mm = division.slab_mm;
   state.slabs.setMost(mostSlabs(params));
-  if (!(state.rule == fresh.rule))
+  if (!(state.rule == classRule(params, vehicle)))
   {
     reclassify(state, params, vehicle);
   }
@@ -75,23 +74,7 @@ void judgeTouched(
     const Params& params,
     const geometry::Vehicle& vehicle)
 {
-  SlabReading reading = slabReading(state, params, vehicle);
-  state.judge.begin(params, vehicle, state.lattice, window, state.driven);
-  forEachTouched(
-      state,
-      [&](uint32_t number, Cell& cell)
-      {
-        const layers::HeightSlab* lowest = state.slabs.get(cell.slabs);
-        state.judge.add(
-            state.scan.cell(number), featuresOf(state.slabs, lowest, reading));  // step 4
-      });
-  state.judge.finish(
-      [&](size_t i, int64_t floor_mm)
-      {
-        reading.floor_mm = floor_mm;
-        const Cell& cell = state.cells.at(state.touched[i]);
-        return featuresOf(state.slabs, state.slabs.get(cell.slabs), reading);
-      });  // step 5
+  judgeCells(state, state.touched, window, params, vehicle, state.judge);
   const std::span<const Judgement> judgements = state.judge.judgements();
   for (size_t i = 0; i < judgements.size(); ++i)
   {

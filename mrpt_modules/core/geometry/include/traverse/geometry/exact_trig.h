@@ -77,7 +77,14 @@ constexpr SinCos sinCosOf(double angle_rad)
   return detail::turnedByQuarters(detail::sinCosOfEighth(angle_rad - nearest * (kPi / 2)), nearest);
 }
 
-/** The same for angles of untrusted data: any that is finite, NaN for others. */
+/** Tangent, |angle_rad| < pi/2. */
+constexpr double tangentOf(double angle_rad)
+{
+  const SinCos v = sinCosOf(angle_rad);
+  return v.sin / v.cos;
+}
+
+/** sinCosOf() for angles of untrusted data: any that is finite, NaN for others. */
 inline SinCos sinCosOfAny(double angle_rad)
 {
   if (!std::isfinite(angle_rad))

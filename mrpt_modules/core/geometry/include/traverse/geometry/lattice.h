@@ -63,9 +63,13 @@ struct CellRect
   friend bool operator==(const CellRect&, const CellRect&) = default;
 };
 
-/** The smallest rectangle around both. */
+/** The smallest rectangle around both; an empty one adds nothing. */
 inline CellRect bounding(const CellRect& a, const CellRect& b)
 {
+  if (a.empty() || b.empty())
+  {
+    return a.empty() ? b : a;
+  }
   return {
       {a.min.x < b.min.x ? a.min.x : b.min.x, a.min.y < b.min.y ? a.min.y : b.min.y},
       {a.max.x > b.max.x ? a.max.x : b.max.x, a.max.y > b.max.y ? a.max.y : b.max.y}};

@@ -11,6 +11,9 @@
 
 namespace traverse::ground
 {
+/** Cells along a patch's edge: 1 to 50, so that patches of small cells are smaller. */
+int32_t cellsAlongPatch(double patch_m, const geometry::Lattice& lattice);
+
 /** The ground estimate that all maps share.
  *
  * It spreads from seeds, where the vehicle stands or drove, from patch to patch outward: each patch

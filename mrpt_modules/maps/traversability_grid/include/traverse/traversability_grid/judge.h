@@ -75,7 +75,4 @@ class Judge
  * below the ground is then the first to count. */
 inline constexpr float kFalseReturn_m = 0.5F;
 inline constexpr float kFloor_m = 0.3F;
-
-/** What a class by itself and a step against the ground make together: the worse. */
-Class worse(Class a, Class b);
 }  // namespace traverse::traversability_grid

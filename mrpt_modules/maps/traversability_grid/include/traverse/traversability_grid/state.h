@@ -17,8 +17,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace traverse::traversability_grid
@@ -70,7 +72,19 @@ struct State
   bool empty() const { return occupied == 0; }
 };
 
-/** An empty map. Throws OptionError for Params or Vehicle that check() refuses. */
+/** How a map with these options divides space. */
+struct Division
+{
+  geometry::Lattice lattice;
+  int32_t slab_mm = 0;
+
+  friend bool operator==(const Division&, const Division&) = default;
+};
+
+/** Throws OptionError for Params or Vehicle that check() refuses. */
+Division divisionOf(const Params& params, const geometry::Vehicle& vehicle);
+
+/** An empty map. Throws as divisionOf() does. */
 State makeState(const Params& params, const geometry::Vehicle& vehicle);
 
 /** Step 3's second half: adds the sums of the last scan's cells to the map and notes where they
@@ -85,22 +99,60 @@ void clearCell(State& state, Cell& cell);
  * beyond the 31st. */
 uint32_t sensorBit(State& state, std::string_view label);
 
-/** Calls f(number, Cell&) for the cells of the last scan, in order, while the next ones are on
+/** Calls f(number, const Cell&) for the cells at these places, in order, while the next ones are on
  * their way from memory. */
+template <class AnyState, class F>
+void forEachAt(AnyState& state, std::span<const Cells::Place> places, F&& f)
+{
+  constexpr size_t kAhead = 8;
+  for (size_t i = 0; i < places.size(); ++i)
+  {
+    if (i + 2 * kAhead < places.size())
+    {
+      __builtin_prefetch(&state.cells.at(places[i + 2 * kAhead]), 1);
+      state.slabs.prefetch(state.cells.at(places[i + kAhead]).slabs);
+    }
+    f(static_cast<uint32_t>(i), state.cells.at(places[i]));
+  }
+}
+
+/** The same for the cells of the last scan, which f may change. */
 template <class F>
 void forEachTouched(State& state, F&& f)
 {
-  constexpr size_t kAhead = 8;
-  const std::vector<Cells::Place>& touched = state.touched;
-  for (size_t i = 0; i < touched.size(); ++i)
-  {
-    if (i + 2 * kAhead < touched.size())
-    {
-      __builtin_prefetch(&state.cells.at(touched[i + 2 * kAhead]), 1);
-      state.slabs.prefetch(state.cells.at(touched[i + kAhead]).slabs);
-    }
-    f(static_cast<uint32_t>(i), state.cells.at(touched[i]));
-  }
+  forEachAt(state, state.touched, std::forward<F>(f));
+}
+
+/** Calls f(Place, const Cell&) for the cells of a rectangle that have points, in the grid's order.
+ */
+template <class F>
+void forEachOccupiedIn(const State& state, const geometry::CellRect& window, F&& f)
+{
+  state.cells.forEachIn(
+      window,
+      [&](Cells::Place place)
+      {
+        const Cell& cell = state.cells.at(place);
+        if (cell.slabs != layers::HeightSlabs::kNone)
+        {
+          f(place, cell);
+        }
+      });
+}
+
+/** The same for all cells. */
+template <class F>
+void forEachOccupied(const State& state, F&& f)
+{
+  state.cells.forEach(
+      [&](Cells::Place place)
+      {
+        const Cell& cell = state.cells.at(place);
+        if (cell.slabs != layers::HeightSlabs::kNone)
+        {
+          f(place, cell);
+        }
+      });
 }
 
 /** Most tiles that a map with these options may have; the slabs have three quarters of the
@@ -120,6 +172,16 @@ void clearCells(State& state);
 /** Moves the kept window: cells that leave it are forgotten. Costs by what leaves. */
 void moveWindow(State& state, const geometry::CellRect& window);
 
+/** Steps 4 and 5 for the cells at these places, which lie in `window`: features, and classes by
+ * themselves and against the ground among them. `judge` has the judgements, in their order. */
+void judgeCells(
+    const State& state,
+    std::span<const Cells::Place> places,
+    const geometry::CellRect& window,
+    const Params& params,
+    const geometry::Vehicle& vehicle,
+    Judge& judge);
+
 /** A square of a large map that is judged by itself, with a margin to let the ground in. */
 struct Block
 {
@@ -132,32 +194,9 @@ struct Block
 std::vector<Block> blocksOf(
     const State& state, const Params& params, const geometry::CellRect& window);
 
-/** Judges a block's cells; `places` are where they are stored. */
-Judge judgeBlock(
-    const State& state,
-    const Params& params,
-    const geometry::Vehicle& vehicle,
-    const Block& block,
-    std::vector<Cells::Place>& places);
-
 /** Judges all cells of a rectangle against the ground that spreads from the driven cells in it, and
- * calls f(Place, const Judgement&) for each that has points, in the grid's order. */
-template <class F>
-void judgeAll(
-    const State& state,
-    const Params& params,
-    const geometry::Vehicle& vehicle,
-    const geometry::CellRect& window,
-    F&& f);
-
-void setClass(Cell& cell, const Judgement& judgement, const Params& params);
-
-/** The smallest rectangle with all occupied cells; empty where there is none. */
-geometry::CellRect occupiedRect(const State& state);
-
-/** Makes the classes of all cells new. */
-void reclassify(State& state, const Params& params, const geometry::Vehicle& vehicle);
-
+ * calls f(Place, const Judgement&) for each that has points: block by block, in the grid's order.
+ */
 template <class F>
 void judgeAll(
     const State& state,
@@ -166,10 +205,15 @@ void judgeAll(
     const geometry::CellRect& window,
     F&& f)
 {
+  Judge judge;
+  std::vector<Cells::Place> places;
   for (const Block& block : blocksOf(state, params, window))
   {
-    std::vector<Cells::Place> places;
-    const Judge judge = judgeBlock(state, params, vehicle, block, places);
+    places.clear();
+    forEachOccupiedIn(
+        state, block.judged,
+        [&](Cells::Place place, const Cell& /*cell*/) { places.push_back(place); });
+    judgeCells(state, places, block.judged, params, vehicle, judge);
     for (size_t i = 0; i < places.size(); ++i)
     {
       if (block.shown.contains(state.cells.indexOf(places[i])))
@@ -179,4 +223,12 @@ void judgeAll(
     }
   }
 }
+
+void setClass(Cell& cell, const Judgement& judgement, const Params& params);
+
+/** The smallest rectangle with all occupied cells; empty where there is none. */
+geometry::CellRect occupiedRect(const State& state);
+
+/** Makes the classes of all cells new. */
+void reclassify(State& state, const Params& params, const geometry::Vehicle& vehicle);
 }  // namespace traverse::traversability_grid

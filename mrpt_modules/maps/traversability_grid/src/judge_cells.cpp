@@ -3,7 +3,6 @@
 #include <traverse/traversability_grid/state.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace traverse::traversability_grid
@@ -27,20 +26,16 @@ geometry::CellRect within(const geometry::CellRect& window, int64_t x0, int64_t 
 std::vector<Block> blocksOf(
     const State& state, const Params& params, const geometry::CellRect& window)
 {
-  const int64_t patch =
-      std::max<int64_t>(1, std::lround(params.ground.patch_m / state.lattice.cell_m()));
+  const int64_t patch = ground::cellsAlongPatch(params.ground.patch_m, state.lattice);
   const int64_t side = kBlockPatches * patch;
   const int64_t margin = kMarginPatches * patch;
   std::set<std::pair<int64_t, int64_t>> occupied;  // by row, then column
-  state.cells.forEachIn(
-      window,
-      [&](Cells::Place place)
+  forEachOccupiedIn(
+      state, window,
+      [&](Cells::Place place, const Cell& /*cell*/)
       {
-        if (state.cells.at(place).slabs != layers::HeightSlabs::kNone)
-        {
-          const geometry::CellIndex c = state.cells.indexOf(place);
-          occupied.emplace(geometry::floorDiv(c.y, side), geometry::floorDiv(c.x, side));
-        }
+        const geometry::CellIndex c = state.cells.indexOf(place);
+        occupied.emplace(geometry::floorDiv(c.y, side), geometry::floorDiv(c.x, side));
       });
   std::vector<Block> blocks;
   blocks.reserve(occupied.size());
@@ -53,34 +48,27 @@ std::vector<Block> blocksOf(
   return blocks;
 }
 
-Judge judgeBlock(
+void judgeCells(
     const State& state,
+    std::span<const Cells::Place> places,
+    const geometry::CellRect& window,
     const Params& params,
     const geometry::Vehicle& vehicle,
-    const Block& block,
-    std::vector<Cells::Place>& places)
+    Judge& judge)
 {
   SlabReading reading = slabReading(state, params, vehicle);
-  const auto read = [&](Cells::Place place)
-  { return featuresOf(state.slabs, state.slabs.get(state.cells.at(place).slabs), reading); };
-  Judge judge;
-  judge.begin(params, vehicle, state.lattice, block.judged, state.driven);
-  state.cells.forEachIn(
-      block.judged,
-      [&](Cells::Place place)
-      {
-        if (state.cells.at(place).slabs != layers::HeightSlabs::kNone)
-        {
-          places.push_back(place);
-          judge.add(state.cells.indexOf(place), read(place));
-        }
-      });
+  const auto read = [&](const Cell& cell)
+  { return featuresOf(state.slabs, state.slabs.get(cell.slabs), reading); };
+  judge.begin(params, vehicle, state.lattice, window, state.driven);
+  forEachAt(
+      state, places,
+      [&](uint32_t number, const Cell& cell)
+      { judge.add(state.cells.indexOf(places[number]), read(cell)); });  // step 4
   judge.finish(
       [&](size_t i, int64_t floor_mm)
       {
         reading.floor_mm = floor_mm;
-        return read(places[i]);
-      });
-  return judge;
+        return read(state.cells.at(places[i]));
+      });  // step 5
 }
 }  // namespace traverse::traversability_grid
