@@ -35,6 +35,18 @@ void tell(const std::string& kind, const std::vector<std::string>& messages)
   }
 }
 
+/** Says where the results are (`folder` is empty where there are none) and what to know of them. */
+ExitCode concluded(const RunMetrics& metrics, const std::filesystem::path& folder)
+{
+  if (!folder.empty())
+  {
+    std::cout << (folder / "report.html").string() << "\n";
+  }
+  tell("warning", metrics.warnings);
+  tell("problem", metrics.problems);
+  return verdict(metrics);
+}
+
 std::vector<BuiltMap> buildChecked(const Settings& settings)
 {
   std::vector<BuiltMap> maps = buildMaps(settings);
@@ -53,17 +65,17 @@ ExitCode mapIt(const Settings& settings)
   const Interrupt interrupt;
   std::vector<BuiltMap> maps = buildChecked(settings);
   Outputs outputs(settings, metrics);
+  std::optional<LabelFiles> labels;
+  if (!settings.point_labels.empty())
+  {
+    labels.emplace(settings.point_labels, settings.force);
+  }
   const poses::PoseTrack track = metrics.times.during(
       "poses", [&] { return makeTrack(settings, metrics, Interrupt::flag()); });
   if (settings.piece)
   {
     metrics.piece =
         metrics.times.during("count", [&] { return describePiece(settings, track, metrics); });
-  }
-  std::optional<LabelFiles> labels;
-  if (!settings.point_labels.empty())
-  {
-    labels.emplace(settings.point_labels, settings.force);
   }
   poses::TimeNs last_stamp = 0;
   mapLog(
@@ -81,11 +93,9 @@ ExitCode mapIt(const Settings& settings)
   if (hasResults(metrics))
   {
     outputs.finish(maps, track, last_stamp);
-    std::cout << (outputs.folder() / "report.html").string() << "\n";
+    return concluded(metrics, outputs.folder());
   }
-  tell("warning", metrics.warnings);
-  tell("problem", metrics.problems);
-  return verdict(metrics);
+  return concluded(metrics, {});
 }
 
 ExitCode mergeThem(const Command& command)
@@ -93,13 +103,7 @@ ExitCode mergeThem(const Command& command)
   RunMetrics metrics;
   const Interrupt interrupt;
   const std::filesystem::path folder = mergeFolders(command, metrics);
-  if (!folder.empty())
-  {
-    std::cout << (folder / "report.html").string() << "\n";
-  }
-  tell("warning", metrics.warnings);
-  tell("problem", metrics.problems);
-  return verdict(metrics);
+  return concluded(metrics, folder);
 }
 
 /** Maps from an octree: the whole of it is there or the file is refused. */
@@ -118,11 +122,9 @@ ExitCode rebuildIt(const Settings& settings)
   if (hasResults(metrics))
   {
     outputs.finish(maps, poses::PoseTrack::constant(Eigen::Isometry3d::Identity()), 0);
-    std::cout << (outputs.folder() / "report.html").string() << "\n";
+    return concluded(metrics, outputs.folder());
   }
-  tell("warning", metrics.warnings);
-  tell("problem", metrics.problems);
-  return verdict(metrics);
+  return concluded(metrics, {});
 }
 
 ExitCode explainCell(const Command& command)

@@ -6,7 +6,6 @@
 #include <traverse/formats/bytes.h>
 #include <traverse/formats/safe_file.h>
 
-#include <cerrno>
 #include <fmt/format.h>
 #include <system_error>
 
@@ -19,9 +18,8 @@ namespace
 /** Says that a folder's labels are ours, and may be replaced. */
 constexpr const char* kMark = "labels.txt";
 constexpr const char* kMarkText =
-    "Labels by traverse-map --point-labels: one uint32 per point; 0 undefined, 1 ground, 2 "
-    "obstacle, "
-    "3 overhanging.\n";
+    "Labels by traverse-map --point-labels: one uint32 per point; 0 undefined, 1 ground, "
+    "2 obstacle, 3 overhanging.\n";
 
 bool hasFiles(const fs::path& folder)
 {
@@ -75,27 +73,20 @@ void LabelFiles::write(
     const poses::PoseTrack& track,
     const std::vector<BuiltMap>& maps)
 {
+  std::vector<uint32_t> labels;
+  for (size_t i = 0; labels.empty() && i < maps.size(); ++i)
+  {
+    labels = maps[i].consumer->pointLabels(decoded.scan.view(), track);
+  }
+  if (labels.size() != decoded.scan.size())
+  {
+    throw config::ConfigError("--point-labels: none of the maps in [Maps] labels points");
+  }
   if (number_ == 0)
   {
     begin();
   }
-  for (const BuiltMap& map : maps)
-  {
-    const std::vector<uint32_t> labels = map.consumer->pointLabels(decoded.scan.view(), track);
-    if (labels.size() == decoded.scan.size() && !labels.empty())
-    {
-      formats::writeFile(
-          folder_ / fmt::format("{:06}.label", number_), labelBytes(decoded, labels));
-      ++number_;
-      return;
-    }
-  }
-  if (decoded.scan.size() > 0)
-  {
-    throw config::ConfigError("--point-labels: none of the maps in [Maps] labels points");
-  }
-  formats::writeFile(folder_ / fmt::format("{:06}.label", number_), labelBytes(decoded, {}));
-  ++number_;
+  formats::writeFile(folder_ / fmt::format("{:06}.label", number_++), labelBytes(decoded, labels));
 }
 
 std::string labelBytes(const points::Decoded& decoded, const std::vector<uint32_t>& labels)

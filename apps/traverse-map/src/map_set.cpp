@@ -80,6 +80,11 @@ void addMaps(const WantedMap& wanted, const Settings& settings, std::vector<Buil
 }
 }  // namespace
 
+geometry::Lattice latticeOf(const BuiltMap& map)
+{
+  return map.consumer->layerSet(geometry::CellRect{{0, 0}, {1, 1}}).lattice;
+}
+
 std::vector<BuiltMap> buildMaps(const Settings& settings)
 {
   std::vector<BuiltMap> built;

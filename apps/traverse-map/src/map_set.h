@@ -20,7 +20,13 @@ struct BuiltMap
   std::string file_suffix;  //!< "" for the first of its name, "_01", "_02" ... after it
   mrpt::maps::CMetricMap::Ptr map;
   layers::ScanConsumer* consumer = nullptr;  //!< the same object
+
+  /** What messages and metrics call it. */
+  std::string title() const { return name + file_suffix; }
 };
+
+/** The map's cells. */
+geometry::Lattice latticeOf(const BuiltMap& map);
 
 /** Makes the maps that the ini asks for with MRPT's own factory. A map that was asked for and not
  * built is an error: throws config::ConfigError, with the line of the ini where it is known. */

@@ -156,6 +156,14 @@ void insert(
   metrics.over_budget += stats.over_budget;
 }
 
+void listMaps(const std::vector<BuiltMap>& maps, RunMetrics& metrics)
+{
+  for (const BuiltMap& map : maps)
+  {
+    metrics.maps.emplace_back().name = map.title();
+  }
+}
+
 void mapLog(
     const Settings& settings,
     const poses::PoseTrack& track,
@@ -163,10 +171,7 @@ void mapLog(
     RunMetrics& metrics,
     const AfterScan& after_scan)
 {
-  for (const BuiltMap& map : maps)
-  {
-    metrics.maps.emplace_back().name = map.name + map.file_suffix;
-  }
+  listMaps(maps, metrics);
   const bool any_time_will_do = settings.poses.source == poses::PoseSource::identity;
   const logs::EntryRange entries =
       settings.piece ? entriesOf(*settings.piece, metrics.piece->log_entries) : logs::EntryRange();

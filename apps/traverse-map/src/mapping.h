@@ -14,6 +14,9 @@
 
 namespace traverse::app
 {
+/** Begins the metrics of these maps, in their order. */
+void listMaps(const std::vector<BuiltMap>& maps, RunMetrics& metrics);
+
 /** Inserts a scan and adds up what became of it. */
 void insert(
     const points::Scan& scan, const poses::PoseTrack& track, BuiltMap& map, MapMetrics& metrics);

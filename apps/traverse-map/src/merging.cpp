@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "merging.h"
 
+#include "input_file.h"
 #include "map_set.h"
+#include "mapping.h"
 #include "outputs.h"
 #include "piece.h"
 #include "settings.h"
@@ -10,8 +12,6 @@
 
 #include <traverse/common_app/interrupt.h>
 #include <traverse/common_app/progress.h>
-#include <traverse/formats/bytes.h>
-#include <traverse/formats/safe_file.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -32,18 +32,10 @@ struct PieceFolder
   const PieceMetrics& piece() const { return *metrics.piece; }
 };
 
-/** Files of a folder are input here, so that it is the input that cannot be read. */
 std::string readInput(const fs::path& file)
 {
   constexpr size_t kLargest = size_t{1} << 40U;
-  try
-  {
-    return formats::readFile(file, kLargest);
-  }
-  catch (const formats::FileError& e)
-  {
-    throw FormatError(e.what());
-  }
+  return asInput([&] { return formats::readFile(file, kLargest); });
 }
 
 PieceFolder readFolder(const fs::path& given)
@@ -192,7 +184,7 @@ void refuseLostPoints(const PieceFolder& folder)
   }
 }
 
-/** All pieces in order, of one log and one recipe. */
+/** All pieces in order, of one log. */
 std::vector<PieceFolder> readFolders(const Command& command)
 {
   std::vector<PieceFolder> folders;
@@ -201,13 +193,19 @@ std::vector<PieceFolder> readFolders(const Command& command)
     folders.push_back(readFolder(path));
   }
   checkAllThere(folders);
-  const Settings first = settingsOf(folders.front(), command);
+  return folders;
+}
+
+/** The settings of all pieces, which are the same. */
+Settings commonSettings(const std::vector<PieceFolder>& folders, const Command& command)
+{
+  Settings first = settingsOf(folders.front(), command);
   for (const PieceFolder& folder : folders)
   {
     refuseLostPoints(folder);
     checkSameRecipe(folders.front(), first, folder, settingsOf(folder, command));
   }
-  return folders;
+  return first;
 }
 
 void mergeMaps(
@@ -216,10 +214,7 @@ void mergeMaps(
     std::vector<BuiltMap>& maps,
     RunMetrics& metrics)
 {
-  for (const BuiltMap& map : maps)
-  {
-    metrics.maps.emplace_back().name = map.name + map.file_suffix;
-  }
+  listMaps(maps, metrics);
   Progress progress("merging", "pieces", settings.quiet);
   for (const PieceFolder& folder : folders)
   {
@@ -243,7 +238,7 @@ void mergeMaps(
 std::filesystem::path mergeFolders(const Command& command, RunMetrics& metrics)
 {
   const std::vector<PieceFolder> folders = readFolders(command);
-  const Settings settings = settingsOf(folders.front(), command);
+  const Settings settings = commonSettings(folders, command);
   std::vector<BuiltMap> maps = buildMaps(settings);
   checkPieces(settings, maps);
   Outputs outputs(settings, metrics);

@@ -92,7 +92,7 @@ void Outputs::writeExtras(const BuiltMap& map)
   }
   for (const std::string& warning : map.consumer->warnings())
   {
-    metrics_.warnings.push_back(map.name + map.file_suffix + ": " + warning);
+    metrics_.warnings.push_back(map.title() + ": " + warning);
   }
 }
 
@@ -194,8 +194,7 @@ layers::LayerSet Outputs::layersOf(
   catch (const std::length_error& e)
   {
     constexpr int32_t kHalf = 2000;
-    const geometry::Lattice lattice =
-        map.consumer->layerSet(geometry::CellRect{{0, 0}, {1, 1}}).lattice;
+    const geometry::Lattice lattice = latticeOf(map);
     const auto pose = track.at(time);
     const Eigen::Vector3d p =
         pose ? Eigen::Vector3d(pose->T_map_base.translation()) : Eigen::Vector3d::Zero();

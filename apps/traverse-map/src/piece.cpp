@@ -50,8 +50,8 @@ void checkPieces(const Settings& settings, const std::vector<BuiltMap>& maps)
   {
     if (const std::string obstacle = map.consumer->mergeObstacle(); !obstacle.empty())
     {
-      throw config::ConfigError(fmt::format(
-          "--piece: pieces of {}{} cannot be merged: {}", map.name, map.file_suffix, obstacle));
+      throw config::ConfigError(
+          fmt::format("--piece: pieces of {} cannot be merged: {}", map.title(), obstacle));
     }
   }
 }
@@ -65,7 +65,8 @@ PieceMetrics describePiece(
   piece.log_entries =
       metrics.log_entries
           ? *metrics.log_entries
-          : logs::countEntries(settings.rawlog, settings.log, {&Interrupt::flag()}).objects;
+          : logs::countEntries(settings.rawlog, settings.log, {&Interrupt::flag(), false, {}})
+                .objects;
   piece.log_bytes = std::filesystem::file_size(settings.rawlog);
   piece.log_crc32 = formats::crc32OfFile(settings.rawlog);
   piece.poses_crc32 = crc32Of(track);

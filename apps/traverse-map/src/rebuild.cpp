@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rebuild.h"
 
+#include "input_file.h"
 #include "mapping.h"
 
 #include <traverse/common_app/interrupt.h>
 #include <traverse/common_app/progress.h>
-#include <traverse/formats/bytes.h>
 #include <traverse/formats/octree_file.h>
-#include <traverse/formats/safe_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,18 +47,6 @@ double narrowestPiece_m(const std::vector<BuiltMap>& maps)
     edge_m = std::min(edge_m, map.consumer->pieceEdge_m());
   }
   return edge_m;
-}
-
-std::string bytesOf(const std::filesystem::path& file)
-{
-  try
-  {
-    return formats::readFile(file, formats::kMostOctreeFile);
-  }
-  catch (const formats::FileError& e)
-  {
-    throw formats::FormatError(e.what());  // it is input, not output, that cannot be had
-  }
 }
 
 uint16_t partOf(std::vector<uint16_t>& heights, size_t i)
@@ -139,13 +126,12 @@ void noteCoarseLeaves(double resolution_m, const std::vector<BuiltMap>& maps, Ru
 {
   for (const BuiltMap& map : maps)
   {
-    const double cell_m =
-        map.consumer->layerSet(geometry::CellRect{{0, 0}, {1, 1}}).lattice.cell_m();
+    const double cell_m = latticeOf(map).cell_m();
     if (2 * resolution_m > cell_m)
     {
       metrics.warnings.push_back(fmt::format(
-          "{}{}: leaves of {} m are one point each, few for cells of {} m: most may be undefined",
-          map.name, map.file_suffix, resolution_m, cell_m));
+          "{}: leaves of {} m are one point each, few for cells of {} m: most may be undefined",
+          map.title(), resolution_m, cell_m));
     }
   }
 }
@@ -173,28 +159,24 @@ void checkRebuildable(const std::vector<BuiltMap>& maps)
     if (!obstacle.empty())
     {
       throw config::ConfigError(fmt::format(
-          "--rebuild puts a map together piece by piece; {}{}: {}", map.name, map.file_suffix,
-          obstacle));
+          "--rebuild puts a map together piece by piece; {}: {}", map.title(), obstacle));
     }
     const double edge_m = map.consumer->pieceEdge_m();
     if (edge_m < kNarrowestTile_m)
     {
       throw config::ConfigError(fmt::format(
-          "--rebuild needs pieces of at least {} m, and {}{} takes {} m at once: raise its "
-          "window_m",
-          kNarrowestTile_m, map.name, map.file_suffix, edge_m));
+          "--rebuild needs pieces of at least {} m, and {} takes {} m at once: raise its window_m",
+          kNarrowestTile_m, map.title(), edge_m));
     }
   }
 }
 
 void mapOctree(const Settings& settings, std::vector<BuiltMap>& maps, RunMetrics& metrics)
 {
-  for (const BuiltMap& map : maps)
-  {
-    metrics.maps.emplace_back().name = map.name + map.file_suffix;
-  }
-  formats::Octree octree = metrics.times.during(
-      "read and decode", [&] { return formats::readOctree(bytesOf(settings.rebuild)); });
+  listMaps(maps, metrics);
+  const auto read = [&]
+  { return formats::readOctree(formats::readFile(settings.rebuild, formats::kMostOctreeFile)); };
+  formats::Octree octree = metrics.times.during("read and decode", [&] { return asInput(read); });
   std::vector<OctreeKey>& leaves = octree.occupied;
   noteCoarseLeaves(octree.resolution_m, maps, metrics);
   const int side = static_cast<int>(narrowestPiece_m(maps) / octree.resolution_m);

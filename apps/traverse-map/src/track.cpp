@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "track.h"
 
-#include <traverse/formats/bytes.h>
-#include <traverse/formats/safe_file.h>
+#include "input_file.h"
+
 #include <traverse/formats/trajectory.h>
 #include <traverse/logs/log_poses.h>
 
@@ -13,27 +13,16 @@ namespace traverse::app
 {
 namespace
 {
-std::vector<poses::StampedPose> posesOfFile(const poses::PoseParams& params)
-{
-  try
-  {
-    return formats::readTrajectory(params.file, params.times_file);
-  }
-  catch (const formats::FileError& e)
-  {
-    throw formats::FormatError(e.what());  // it is input, not output, that cannot be had
-  }
-}
-
 std::vector<poses::StampedPose> posesOf(
     const Settings& settings, RunMetrics& metrics, const std::atomic<bool>& stop)
 {
   if (settings.poses.source == poses::PoseSource::file)
   {
-    return posesOfFile(settings.poses);
+    return asInput(
+        [&] { return formats::readTrajectory(settings.poses.file, settings.poses.times_file); });
   }
   logs::PoseReading reading = logs::readLogPoses(
-      settings.rawlog, settings.poses.source, settings.log, settings.sensors, {&stop, false});
+      settings.rawlog, settings.poses.source, settings.log, settings.sensors, {&stop, false, {}});
   if (reading.report.complete())
   {
     metrics.log_entries = reading.report.objects;
