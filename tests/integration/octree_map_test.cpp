@@ -1,27 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The octree of an MRPT map: asked for by ini, fed, saved, copied, cleared.
+#include "support/map_by_ini.h"
 #include "support/mrpt_logs.h"
 #include "support/octree_points.h"
 #include "support/scratch_folder.h"
 
 #include <traverse/observations/convert.h>
-#include <traverse/plugin/register.h>
-
-#include <mrpt/config/CConfigFileMemory.h>
-#include <mrpt/maps/CMultiMetricMap.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#ifdef TRAVERSE_SANITIZED
-// MRPT holds a map's definition by a bare pointer while it loads, and forgets it when loading
-// throws: one leak per refused ini, none of ours to mend.
-extern "C" const char* __lsan_default_suppressions()  // NOLINT(bugprone-reserved-identifier)
-{
-  return "leak:TSetOfMetricMapInitializers::loadFromConfigFile";
-}
-#endif
 
 namespace
 {
@@ -33,31 +21,7 @@ using mrpt::poses::CPose3D;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-void build(CMultiMetricMap& map, const std::string& options)
-{
-  plugin::registerAllMaps();
-  mrpt::config::CConfigFileMemory file(
-      "[map]\nCTraversabilityGridMap_count = 1\n"
-      "[map_CTraversabilityGridMap_00_octomapOpts]\n" +
-      options);
-  mrpt::maps::TSetOfMetricMapInitializers definitions;
-  definitions.loadFromConfigFile(file, "map");
-  map.setListOfMaps(definitions);
-}
-
-std::string refusal(const std::string& options)
-{
-  CMultiMetricMap map;
-  try
-  {
-    build(map, options);
-  }
-  catch (const std::exception& e)
-  {
-    return e.what();
-  }
-  return "accepted";
-}
+const std::string kOctomapOpts = kOneGrid + "[map_CTraversabilityGridMap_00_octomapOpts]\n";
 
 size_t leaves(const CTraversabilityGridMap& map)
 {
@@ -68,25 +32,25 @@ size_t leaves(const CTraversabilityGridMap& map)
 TEST(OctreeMap, IsAskedForInTheIni)
 {
   CMultiMetricMap map;
-  build(map, "resolution_m = 0.05\nmax_memory_mb = 50\n");
+  build(map, kOctomapOpts + "resolution_m = 0.05\nmax_memory_mb = 50\n");
   map.insertObservation(*firstOf(kVelodyneLog));
   EXPECT_GT(leaves(*map.mapByClass<CTraversabilityGridMap>()), 10000U);
   CMultiMetricMap without;
-  build(without, "resolution_m = 0\n");
+  build(without, kOctomapOpts + "resolution_m = 0\n");
   without.insertObservation(*firstOf(kVelodyneLog));
   EXPECT_TRUE(without.mapByClass<CTraversabilityGridMap>()->extraFiles().empty());
 }
 
 TEST(OctreeMap, OptionsThatMakeNoSenseAreRefused)
 {
-  EXPECT_EQ(refusal("resolution_m = 0.1\n"), "accepted");
+  EXPECT_EQ(refusal(kOctomapOpts + "resolution_m = 0.1\n"), "accepted");
   EXPECT_THAT(
-      refusal("resolution_m = 0.3\n"),
+      refusal(kOctomapOpts + "resolution_m = 0.3\n"),
       AllOf(
           HasSubstr("_octomapOpts"), HasSubstr("resolution_m = '0.3'"), HasSubstr("cells of 0.2")));
-  EXPECT_THAT(refusal("resolution_m = 0.0123\n"), HasSubstr("whole millimetres"));
-  EXPECT_THAT(refusal("resolution_m = -1\n"), HasSubstr("resolution_m"));
-  EXPECT_THAT(refusal("resolution = 0.1\n"), HasSubstr("'resolution_m'"));
+  EXPECT_THAT(refusal(kOctomapOpts + "resolution_m = 0.0123\n"), HasSubstr("whole millimetres"));
+  EXPECT_THAT(refusal(kOctomapOpts + "resolution_m = -1\n"), HasSubstr("resolution_m"));
+  EXPECT_THAT(refusal(kOctomapOpts + "resolution = 0.1\n"), HasSubstr("'resolution_m'"));
 }
 
 TEST(OctreeMap, TheOctreeKeepsWhatTheWindowForgets)
@@ -118,7 +82,7 @@ TEST(OctreeMap, IsSavedBesideTheLayers)
 TEST(OctreeMap, GoesWithACopyAndIsGoneWithTheRest)
 {
   CMultiMetricMap map;
-  build(map, "resolution_m = 0.1\n");
+  build(map, kOctomapOpts + "resolution_m = 0.1\n");
   map.insertObservation(*firstOf(kVelodyneLog));
   const CMultiMetricMap copy = map;  // through MRPT's serialisation
   const auto was = map.mapByClass<CTraversabilityGridMap>();

@@ -4,11 +4,8 @@
 #include <traverse/formats/bytes.h>
 #include <traverse/maps/CTraversabilityGridMap.h>
 #include <traverse/observations/to_scan.h>
-#include <traverse/plugin/register.h>
 
-#include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/io/CMemoryStream.h>
-#include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationComment.h>
@@ -23,17 +20,9 @@
 #include <fstream>
 #include <set>
 #include <support/data.h>
+#include <support/map_by_ini.h>
 #include <support/mrpt_logs.h>
 #include <unistd.h>
-
-#ifdef TRAVERSE_SANITIZED
-// MRPT holds a map's definition by a bare pointer while it loads, and forgets it when loading
-// throws: one leak per refused ini, none of ours to mend.
-extern "C" const char* __lsan_default_suppressions()  // NOLINT(bugprone-reserved-identifier)
-{
-  return "leak:TSetOfMetricMapInitializers::loadFromConfigFile";
-}
-#endif
 
 namespace
 {
@@ -44,29 +33,6 @@ using mrpt::maps::CMultiMetricMap;
 using mrpt::poses::CPose3D;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-void build(CMultiMetricMap& map, const std::string& ini)
-{
-  plugin::registerAllMaps();
-  mrpt::config::CConfigFileMemory file(ini);
-  mrpt::maps::TSetOfMetricMapInitializers definitions;
-  definitions.loadFromConfigFile(file, "map");
-  map.setListOfMaps(definitions);
-}
-
-std::string refusal(const std::string& ini)
-{
-  CMultiMetricMap map;
-  try
-  {
-    build(map, "[map]\nCTraversabilityGridMap_count = 1\n" + ini);
-  }
-  catch (const std::exception& e)
-  {
-    return e.what();
-  }
-  return "accepted";
-}
 
 TEST(TraversabilityMap, IsMadeByMrptsOwnIniMechanismUnderAllItsNames)
 {
@@ -94,22 +60,25 @@ TEST(TraversabilityMap, IsMadeByMrptsOwnIniMechanismUnderAllItsNames)
 TEST(TraversabilityMap, RefusesWhatItsSectionsShouldNotHave)
 {
   const std::string options = "[map_CTraversabilityGridMap_00_insertOpts]\n";
-  EXPECT_EQ(refusal(options + "cell_size_m = 0.2\n"), "accepted");
+  EXPECT_EQ(refusal(kOneGrid + options + "cell_size_m = 0.2\n"), "accepted");
   EXPECT_THAT(
-      refusal(options + "cel_size_m = 0.2\n"),
+      refusal(kOneGrid + options + "cel_size_m = 0.2\n"),
       AllOf(HasSubstr("_insertOpts"), HasSubstr("cel_size_m"), HasSubstr("'cell_size_m'")));
   EXPECT_THAT(
-      refusal(options + "window_m = 1,5\n"),
+      refusal(kOneGrid + options + "window_m = 1,5\n"),
       AllOf(HasSubstr("_insertOpts"), HasSubstr("window_m"), HasSubstr("1,5")));
-  EXPECT_THAT(refusal(options + "extent = round\n"), HasSubstr("rolling | fixed | growing"));
-  EXPECT_THAT(refusal(options + "small_max_slope_deg = 1\n"), HasSubstr("flat_max_slope_deg"));
   EXPECT_THAT(
-      refusal("[map_CTraversabilityGridMap_00_insertOptions]\nmin_points = 4\n"),
+      refusal(kOneGrid + options + "extent = round\n"), HasSubstr("rolling | fixed | growing"));
+  EXPECT_THAT(
+      refusal(kOneGrid + options + "small_max_slope_deg = 1\n"), HasSubstr("flat_max_slope_deg"));
+  EXPECT_THAT(
+      refusal(kOneGrid + "[map_CTraversabilityGridMap_00_insertOptions]\nmin_points = 4\n"),
       HasSubstr("_insertOpts"));
   EXPECT_THAT(
-      refusal("[map_CTraversabilityGridMap_00_creationOpts]\nenableSaveAs3DObjects = 0\n"),
+      refusal(
+          kOneGrid + "[map_CTraversabilityGridMap_00_creationOpts]\nenableSaveAs3DObjects = 0\n"),
       HasSubstr("enableSaveAs3DObject"));
-  EXPECT_THAT(refusal("[Vehicle]\nheigth_m = 2\n"), HasSubstr("height_m"));
+  EXPECT_THAT(refusal(kOneGrid + "[Vehicle]\nheigth_m = 2\n"), HasSubstr("height_m"));
 }
 
 TEST(TraversabilityMap, TakesEverySensorOfTheStockLogs)

@@ -175,16 +175,14 @@ TEST_F(TraverseMapPieces, AFullDiskWhileMergingIsSaid)
 {
   mapTwoPieces();
   fs::create_directory(scratch_ / "disk");
-  const std::string script = "mount -t tmpfs -o size=32k none '" + (scratch_ / "disk").string() +
-                             "' && exec '" + TRAVERSE_BINARY_DIR + "/bin/traverse-map' --merge '" +
-                             (scratch_ / "1").string() + "' '" + (scratch_ / "2").string() +
-                             "' --output '" + (scratch_ / "disk" / "merged").string() + "'";
-  const Finished ran = run({"unshare", "--mount", "--map-root-user", "sh", "-c", script});
-  if (ran.err.find("traverse-map") == std::string::npos)
+  const auto ran = traverseMapOnTinyDisk(
+      scratch_ / "disk", 32,
+      {"--merge", scratch_ / "1", scratch_ / "2", "--output", scratch_ / "disk" / "merged"});
+  if (!ran)
   {
-    GTEST_SKIP() << "SKIPPED: no mount namespace here: " << ran.err;
+    GTEST_SKIP() << "SKIPPED: no mount namespace here";
   }
-  EXPECT_EQ(ran.exit_code, 1);
-  EXPECT_THAT(ran.err, HasSubstr("No space left on device"));
+  EXPECT_EQ(ran->exit_code, 1);
+  EXPECT_THAT(ran->err, HasSubstr("No space left on device"));
 }
 }  // namespace
