@@ -27,6 +27,7 @@ std::vector<Visit> drive(std::mt19937& random, int scans)
 {
   std::uniform_real_distribution<double> any(-1, 1);
   std::vector<Visit> visits;
+  visits.reserve(static_cast<size_t>(scans));
   for (int i = 0; i < scans; ++i)
   {
     visits.push_back(
@@ -70,6 +71,26 @@ void mergeInto(Map& map, const Map& other)
   merge(map.state, map.params, map.vehicle, other);
 }
 
+/** These visits' map made of pieces: each visit to one of at most six, merged from the last to the
+ * first.
+ */
+Map inPieces(const std::vector<Visit>& visits, const Params& params, std::mt19937& random)
+{
+  const size_t pieces = 1 + random() % 6;
+  std::vector<size_t> piece_of(visits.size());
+  for (size_t& piece : piece_of)
+  {
+    piece = random() % pieces;
+  }
+  Map merged{params, kCar, makeState(params, kCar)};
+  for (size_t piece = pieces; piece-- > 0;)
+  {
+    const Map part = mapOf(visits, params, [&](size_t i) { return piece_of[i] == piece; });
+    mergeInto(merged, fromArchive(bytesOf(part)));
+  }
+  return merged;
+}
+
 TEST(Merge, AnySplitOfADriveGivesTheWholeDrive)
 {
   std::mt19937 random(31);
@@ -80,18 +101,7 @@ TEST(Merge, AnySplitOfADriveGivesTheWholeDrive)
     {
       const std::vector<Visit> visits = drive(random, 12);
       const Map whole = mapOf(visits, params, [](size_t) { return true; });
-      const size_t pieces = 1 + random() % 6;
-      std::vector<size_t> piece_of(visits.size());
-      for (size_t& piece : piece_of)
-      {
-        piece = random() % pieces;
-      }
-      Map merged{params, kCar, makeState(params, kCar)};
-      for (size_t piece = pieces; piece-- > 0;)  // any order of merging, too
-      {
-        const Map part = mapOf(visits, params, [&](size_t i) { return piece_of[i] == piece; });
-        mergeInto(merged, fromArchive(bytesOf(part)));
-      }
+      const Map merged = inPieces(visits, params, random);
       ASSERT_EQ(bytesOf(merged), bytesOf(whole));
       EXPECT_EQ(
           classes(layerSet(merged.state, params, kCar)),

@@ -41,12 +41,12 @@ inline std::string drivenVelodyneLog(const std::vector<double>& scan_times_s)
 {
   mrpt::obs::CObservationVelodyneScan scan = debianVelodyneScan();
   std::string log = serialised(bendPose(-0.2)) + serialised(bendPose(-0.1));
-  double pose_s = 0;
+  int poses = 0;
   for (const double t_s : scan_times_s)
   {
-    for (; pose_s < t_s + 0.3; pose_s += 0.1)
+    for (; poses / 10.0 < t_s + 0.3; ++poses)
     {
-      log += serialised(bendPose(pose_s));
+      log += serialised(bendPose(poses / 10.0));
     }
     scan.timestamp = observations::toTimePoint(kLogStart + static_cast<poses::TimeNs>(t_s * 1e9));
     scan.originalReceivedTimestamp = scan.timestamp;

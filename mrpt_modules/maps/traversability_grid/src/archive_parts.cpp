@@ -26,6 +26,7 @@ bool isIn(const DrivenCells::Range& range, int64_t most)
 std::vector<uint32_t> archivedBits(const std::vector<std::string>& sensors)
 {
   std::vector<uint32_t> bits;
+  bits.reserve(sensors.size());
   for (const std::string& label : sensors)
   {
     bits.push_back(sensorBitOf(static_cast<size_t>(std::count_if(
