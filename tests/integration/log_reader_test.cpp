@@ -61,6 +61,29 @@ TEST(LogReader, CountsWhatIsNoRangeMeasurement)
   EXPECT_EQ(r.report.objects, 4U);
 }
 
+TEST(LogReader, TellsWhenEachSensorSpoke)
+{
+  mrpt::obs::CObservationIMU imu;
+  imu.sensorLabel = "im\nu";
+  imu.timestamp = laserScan(0.25).timestamp;
+  const LogReading r = readLogBytes(
+      serialised(laserScan(1.0)) + serialised(imu) + serialised(laserScan(0.5)) +
+      serialised(laserScan(0.5)) + serialised(laserScan(2.0)));
+  ASSERT_EQ(r.report.sensors.size(), 2U);
+  const SensorTimes& laser = r.report.sensors[0];
+  EXPECT_EQ(laser.type, "CObservation2DRangeScan");
+  EXPECT_EQ(laser.count, 4U);
+  EXPECT_EQ(laser.repeated, 1U);
+  EXPECT_EQ(laser.backward, 1U);
+  ASSERT_EQ(laser.stamps.size(), 4U);  // as they came, the repeated one too
+  EXPECT_EQ(laser.stamps[1], laser.stamps[2]);
+  EXPECT_EQ(laser.first, laser.stamps[1]);
+  EXPECT_EQ(laser.last, laser.stamps[3]);
+  EXPECT_FALSE(laser.sensor_pose_changes);
+  EXPECT_EQ(r.report.sensors[1].label, "im?u");
+  EXPECT_EQ(r.report.sensors[1].count, 1U);
+}
+
 TEST(LogReader, CountsRepeatedAndBackwardStampsAndDropsExactRepetitions)
 {
   const LogReading r = readLogBytes(

@@ -48,6 +48,24 @@ TEST(LogSession, EndsWell)
   EXPECT_TRUE(r.complete()) << r.damage;
 }
 
+TEST(LogSession, MoreSensorsThanAnyRobotHasShareAPlace)
+{
+  const LogReport r = reportOf(
+      [](int, int frames, SharedProgress&)
+      {
+        FramePipe pipe(frames);
+        for (int i = 0; i < 1000; ++i)
+        {
+          pipe.frames().add(SightingFrame{std::to_string(i), "CObservationIMU", 42, {}});
+        }
+        pipe.flush();
+        sendEnd(frames);
+      });
+  ASSERT_EQ(r.sensors.size(), 257U);
+  EXPECT_EQ(r.sensors.back().label, "others");
+  EXPECT_EQ(r.sensors.back().count, 744U);
+}
+
 TEST(LogSession, AChildThatJustLeavesIsDamage)
 {
   EXPECT_EQ(reportOf([](int, int, SharedProgress&) {}).end, LogEnd::damaged);

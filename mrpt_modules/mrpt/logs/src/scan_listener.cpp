@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reader_job.h"
 
+#include <traverse/observations/convert.h>
 #include <traverse/observations/to_scan.h>
 #include <traverse/points/sweep.h>
 
@@ -68,12 +69,18 @@ class ScanListener : public FrameListener
 
   void observation(const mrpt::obs::CObservation::Ptr& observation) override
   {
+    sight(*observation);
     if (muted() && canWait(*observation))
     {
       waiting_[keyOf(*observation)] = observation;
       return;
     }
     decode(observation);
+  }
+
+  void movement(const Movement& movement) override
+  {
+    sight(SightingFrame{"", "CActionRobotMovement2D", movement.stamp.value_or(0), {}});
   }
 
   void entryEnd() override
@@ -105,6 +112,23 @@ class ScanListener : public FrameListener
   }
 
  private:
+  void sight(const SightingFrame& sighting)
+  {
+    if (!muted())
+    {
+      frames().add(sighting);
+    }
+  }
+
+  void sight(const mrpt::obs::CObservation& observation)
+  {
+    mrpt::poses::CPose3D pose;
+    observation.getSensorPose(pose);
+    sight(
+        {labelOf(observation), typeOf(observation),
+         observations::toTime(observation.timestamp).value_or(0), observations::toIsometry(pose)});
+  }
+
   struct Last
   {
     poses::TimeNs stamp = 0;

@@ -13,11 +13,7 @@ constexpr size_t kMostKeys = 256;
 /** One more of a kind; what a hostile log makes up does not fill the memory. */
 void countKey(std::map<std::string, uint64_t>& counts, const std::string& key)
 {
-  std::string clean = key.substr(0, 200);
-  for (char& c : clean)
-  {
-    c = c < ' ' || c > '~' ? '?' : c;
-  }
+  const std::string clean = printable(key);
   const bool room = counts.size() < kMostKeys || counts.count(clean) > 0;
   ++counts[room ? clean : "others"];
 }
@@ -127,6 +123,9 @@ std::optional<Session::Product> Session::take(const Frame& frame)
       return readPose(frame.payload);
     case FrameType::count:
       count(readCount(frame.payload));
+      return std::nullopt;
+    case FrameType::sighting:
+      census_.add(readSighting(frame.payload), report_.sensors);
       return std::nullopt;
     case FrameType::object:
       ++report_.objects;

@@ -4,6 +4,7 @@
 
 #include "log_file.h"
 #include "reader_process.h"
+#include "sensor_census.h"
 #include "wire.h"
 
 #include <traverse/logs/log_report.h>
@@ -51,6 +52,7 @@ class Session
   ReadOptions options_;
   LogFile log_;
   LogReport report_;
+  SensorCensus census_;
   ReaderProcess process_;
   std::vector<uint8_t> received_;
   size_t used_ = 0;

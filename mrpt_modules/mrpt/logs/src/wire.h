@@ -23,6 +23,7 @@ enum class FrameType : uint32_t
   object = 4,  //!< one more entry of the log is done
   damage = 5,
   end = 6,
+  sighting = 7,
 };
 
 struct FrameHeader
@@ -64,6 +65,15 @@ struct DamageFrame
   std::string message;
 };
 
+/** An observation was met, whatever becomes of it. */
+struct SightingFrame
+{
+  std::string label;
+  std::string type;
+  poses::TimeNs stamp = 0;  //!< 0: no clock's
+  Eigen::Isometry3d T_base_sensor = Eigen::Isometry3d::Identity();
+};
+
 /** Puts frames one behind the other. */
 class FrameWriter
 {
@@ -72,6 +82,7 @@ class FrameWriter
   void add(const CountFrame& count);
   void add(const poses::StampedPose& pose);
   void add(const DamageFrame& damage);
+  void add(const SightingFrame& sighting);
   void add(FrameType bare);
 
   std::vector<uint8_t>& bytes() { return bytes_; }
@@ -105,4 +116,5 @@ points::Decoded readScan(std::span<const uint8_t> payload);
 CountFrame readCount(std::span<const uint8_t> payload);
 poses::StampedPose readPose(std::span<const uint8_t> payload);
 DamageFrame readDamage(std::span<const uint8_t> payload);
+SightingFrame readSighting(std::span<const uint8_t> payload);
 }  // namespace traverse::logs

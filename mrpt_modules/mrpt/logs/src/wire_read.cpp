@@ -213,4 +213,16 @@ DamageFrame readDamage(std::span<const uint8_t> bytes)
   payload.finish();
   return damage;
 }
+
+SightingFrame readSighting(std::span<const uint8_t> bytes)
+{
+  Payload payload(bytes);
+  SightingFrame sighting;
+  sighting.label = payload.takeText();
+  sighting.type = payload.takeText();
+  sighting.stamp = payload.take<poses::TimeNs>();
+  sighting.T_base_sensor = payload.takePose();
+  payload.finish();
+  return sighting;
+}
 }  // namespace traverse::logs

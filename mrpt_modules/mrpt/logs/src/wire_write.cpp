@@ -90,6 +90,16 @@ void FrameWriter::add(const DamageFrame& damage)
   finish(start);
 }
 
+void FrameWriter::add(const SightingFrame& sighting)
+{
+  const size_t start = begin(FrameType::sighting);
+  put(sighting.label);
+  put(sighting.type);
+  put(sighting.stamp);
+  put(sighting.T_base_sensor);
+  finish(start);
+}
+
 void FrameWriter::add(FrameType bare)
 {
   finish(begin(bare));

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/logs/sensor_times.h>
+
 #include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace traverse::logs
 {
@@ -38,7 +41,8 @@ struct LogReport
   uint64_t repeated_stamps = 0;  //!< the same stamp again from one sensor (delivered all the same)
   uint64_t backward_stamps = 0;  //!< a stamp before its predecessor's (delivered all the same)
   uint64_t bad_stamps = 0;       //!< no clock's: before 1980, after 2100, or none
-  uint64_t bytes_read = 0;       //!< of the file, as it is stored
+  std::vector<SensorTimes> sensors;  //!< LogReader only: every observation that was passed
+  uint64_t bytes_read = 0;           //!< of the file, as it is stored
   uint64_t file_size = 0;
 
   bool complete() const { return end == LogEnd::complete; }
