@@ -56,7 +56,9 @@ TEST(LogSession, MoreSensorsThanAnyRobotHasShareAPlace)
         FramePipe pipe(frames);
         for (int i = 0; i < 1000; ++i)
         {
-          pipe.frames().add(SightingFrame{std::to_string(i), "CObservationIMU", 42, {}});
+          SightingFrame sighting;
+          sighting.label = std::to_string(i);
+          pipe.frames().add(sighting);
         }
         pipe.flush();
         sendEnd(frames);

@@ -11,9 +11,9 @@
 #include "settings.h"
 #include "track.h"
 #include "verdict.h"
-#include "why.h"
 
 #include <traverse/common_app/interrupt.h>
+#include <traverse/common_app/why.h>
 #include <traverse/formats/archive.h>
 #include <traverse/formats/safe_file.h>
 #include <traverse/logs/log_reader.h>

@@ -16,26 +16,6 @@ namespace traverse::app
 {
 namespace
 {
-std::vector<std::pair<std::string, uint64_t>> cellsByClass(const layers::LayerSet& set)
-{
-  std::vector<std::pair<std::string, uint64_t>> counts;
-  for (const layers::LegendEntry& entry : set.legend)
-  {
-    counts.emplace_back(entry.name, 0);
-  }
-  const layers::Layer* classes = set.find(set.class_layer);
-  const auto* codes =
-      classes == nullptr ? nullptr : std::get_if<std::vector<uint8_t>>(&classes->data);
-  for (size_t i = 0; codes != nullptr && i < codes->size(); ++i)
-  {
-    for (size_t k = 0; k < set.legend.size(); ++k)
-    {
-      counts[k].second += static_cast<uint64_t>(set.legend[k].code == (*codes)[i]);
-    }
-  }
-  return counts;
-}
-
 /** The folder to write, with the folders above it made. */
 const std::filesystem::path& withParents(const std::filesystem::path& folder)
 {
@@ -220,7 +200,7 @@ void Outputs::finish(
     metrics_.times.during("write", [&] { writeExtras(map); });
     const layers::LayerSet set =
         metrics_.times.during("layers", [&] { return layersOf(map, track, last_stamp); });
-    metrics_.maps[i].cells_by_class = cellsByClass(set);
+    metrics_.maps[i].cells_by_class = layers::cellsByClass(set);
     if (set.extent.empty())
     {
       metrics_.warnings.push_back(

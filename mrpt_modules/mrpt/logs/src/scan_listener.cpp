@@ -80,7 +80,10 @@ class ScanListener : public FrameListener
 
   void movement(const Movement& movement) override
   {
-    sight(SightingFrame{"", "CActionRobotMovement2D", movement.stamp.value_or(0), {}});
+    SightingFrame sighting;
+    sighting.type = "CActionRobotMovement2D";
+    sighting.stamp = movement.stamp.value_or(0);
+    sight(sighting);
   }
 
   void entryEnd() override

@@ -54,4 +54,7 @@ struct LayerSet
     return static_cast<size_t>(extent.width()) * static_cast<size_t>(extent.height());
   }
 };
+
+/** How many cells each entry of the legend has, in its order. */
+std::vector<std::pair<std::string, uint64_t>> cellsByClass(const LayerSet& set);
 }  // namespace traverse::layers

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/common_app/map_files.h>
+#include <traverse/common_app/why.h>
+
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+std::optional<std::array<double, 2>> parsePlace(std::string_view text)
+{
+  constexpr double kFarthest_m = 1e6;
+  const size_t comma = text.find(',');
+  if (comma == std::string_view::npos)
+  {
+    return std::nullopt;
+  }
+  std::array<double, 2> place{};
+  const std::array<std::string_view, 2> parts = {text.substr(0, comma), text.substr(comma + 1)};
+  for (size_t i = 0; i < parts.size(); ++i)
+  {
+    const char* end = parts[i].data() + parts[i].size();
+    const auto [stop, error] = std::from_chars(parts[i].data(), end, place[i]);
+    if (error != std::errc() || stop != end || !(std::abs(place[i]) <= kFarthest_m))
+    {
+      return std::nullopt;
+    }
+  }
+  return place;
+}
+
+std::string why(const std::filesystem::path& folder, const std::array<double, 2>& place_m)
+{
+  std::string text;
+  for (const std::filesystem::path& file : mapFiles(folder))
+  {
+    const LoadedMap map = loadMap(file);
+    text += text.empty() ? "" : "\n";
+    text += fmt::format("map: {}, {}\n", file.filename().string(), map.kind);
+    for (const layers::Fact& fact : map.consumer->explain(place_m[0], place_m[1]))
+    {
+      text += fmt::format("{}: {}\n", fact.key, fact.value);
+    }
+  }
+  return text;
+}
+}  // namespace traverse::app

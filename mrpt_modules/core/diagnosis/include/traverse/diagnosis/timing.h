@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/poses/pose_track.h>
+
+#include <span>
+#include <vector>
+
+namespace traverse::diagnosis
+{
+/** A silence between two stamps that follow each other in time. */
+struct Gap
+{
+  poses::TimeNs from = 0;
+  poses::TimeNs to = 0;
+
+  double seconds() const { return poses::secondsBetween(from, to); }
+};
+
+/** How regularly a sensor spoke. */
+struct Timing
+{
+  double median_period_s = 0;  //!< 0 where there are fewer than two different stamps
+  double shortest_period_s = 0;
+  double longest_period_s = 0;
+  std::vector<Gap> gaps;  //!< longer than kGapPeriods median periods; by time
+  size_t backward = 0;    //!< stamps before their predecessor's in the order given
+  size_t repeated = 0;    //!< stamps that are there more than once
+
+  static constexpr double kGapPeriods = 3;
+
+  double rate_hz() const { return median_period_s > 0 ? 1 / median_period_s : 0; }
+};
+
+/** From stamps in the order of their arrival. */
+Timing timingOf(std::span<const poses::TimeNs> stamps);
+}  // namespace traverse::diagnosis
