@@ -27,7 +27,7 @@ TEST(Timing, TellsRateGapsAndOrder)
   std::swap(stamps[3], stamps[4]);
   stamps.push_back(stamps.back());
   const Timing timing = timingOf(stamps);
-  EXPECT_DOUBLE_EQ(timing.rate_hz(), 10);
+  EXPECT_DOUBLE_EQ(timing.rateHz(), 10);
   EXPECT_DOUBLE_EQ(timing.longest_period_s, 0.8);
   ASSERT_EQ(timing.gaps.size(), 1U);
   EXPECT_EQ(timing.gaps[0].from, 900 * kMs);
@@ -37,7 +37,7 @@ TEST(Timing, TellsRateGapsAndOrder)
 
 TEST(Timing, OfOneStampIsNothing)
 {
-  EXPECT_EQ(timingOf(std::vector<poses::TimeNs>{5, 5}).rate_hz(), 0);
+  EXPECT_EQ(timingOf(std::vector<poses::TimeNs>{5, 5}).rateHz(), 0);
   EXPECT_EQ(timingOf({}).median_period_s, 0);
 }
 

@@ -53,7 +53,7 @@ std::string timingText(const logs::SensorTimes& sensor)
   if (timing.median_period_s > 0)
   {
     text = fmt::format(
-        "{:.2f} Hz, periods {:.4f} to {:.4f} s", timing.rate_hz(), timing.shortest_period_s,
+        "{:.2f} Hz, periods {:.4f} to {:.4f} s", timing.rateHz(), timing.shortest_period_s,
         timing.longest_period_s);
   }
   if (!timing.gaps.empty())
@@ -190,7 +190,7 @@ Json summaryJson(const std::string& name, const logs::LogReport& report, const S
          {"count", sensor.count},
          {"first_ns", sensor.first},
          {"last_ns", sensor.last},
-         {"rate_hz", timing.rate_hz()},
+         {"rate_hz", timing.rateHz()},
          {"longest_period_s", timing.longest_period_s},
          {"gaps", timing.gaps.size()},
          {"repeated", sensor.repeated},

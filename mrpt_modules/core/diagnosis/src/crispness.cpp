@@ -84,7 +84,7 @@ BestFit leastOf(const std::function<double(double)>& cost, double most, double c
   double best = 0;
   double best_cost = at_zero;
   double worst_cost = at_zero;
-  const auto tryAround = [&](double middle, double step, int steps)
+  const auto try_around = [&](double middle, double step, int steps)
   {
     for (int i = -steps; i <= steps; ++i)
     {
@@ -98,8 +98,8 @@ BestFit leastOf(const std::function<double(double)>& cost, double most, double c
       }
     }
   };
-  tryAround(0, coarse, static_cast<int>(std::lround(most / coarse)));
-  tryAround(best, coarse / 10, 9);
+  try_around(0, coarse, static_cast<int>(std::lround(most / coarse)));
+  try_around(best, coarse / 10, 9);
   return {best, at_zero / best_cost - 1, worst_cost / best_cost - 1};
 }
 }  // namespace

@@ -120,7 +120,7 @@ Candidate bestPlane(const std::vector<Eigen::Vector3d>& points, GroundSearch sea
   Candidate best;
   for (int i = 0; i < kTries; ++i)
   {
-    const Eigen::Vector3d a = any();
+    const Eigen::Vector3d& a = any();
     const Eigen::Vector3d normal = (any() - a).cross(any() - a);
     if (!(normal.norm() > 1e-3))
     {

@@ -30,7 +30,7 @@ struct Timing
 
   static constexpr double kGapPeriods = 3;
 
-  double rate_hz() const { return median_period_s > 0 ? 1 / median_period_s : 0; }
+  double rateHz() const { return median_period_s > 0 ? 1 / median_period_s : 0; }
 };
 
 /** From stamps in the order of their arrival. */
