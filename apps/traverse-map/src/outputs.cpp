@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
 
+#include "exports.h"
 #include "report_page.h"
 
 #include <traverse/formats/geotiff.h>
@@ -208,6 +209,14 @@ void Outputs::finish(
       continue;
     }
     metrics_.times.during("write", [&] { writeLayers(map, set); });
+    metrics_.times.during(
+        "exports",
+        [&]
+        {
+          writeExports(
+              settings_.run, map.file_suffix, {set, trajectoryOf(track)},
+              [&](const std::string& name, const std::string& bytes) { write(name, bytes); });
+        });
     metrics_.times.during("pictures", [&] { writePictures(map, set, track, last_stamp); });
     sections.push_back(mapSection(metrics_.maps[i], set, std::move(pictures_)));
     pictures_.clear();

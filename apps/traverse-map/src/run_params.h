@@ -21,6 +21,9 @@ struct RunParams
   bool pictures = true;
   int picture_width_px = 1200;
   bool scene = true;
+  bool export_ply = false;
+  bool export_pcd = false;
+  bool export_geopackage = false;
 };
 
 template <class P, class F>
@@ -48,6 +51,13 @@ void visitRunParams(P& p, F&& f)
   f(Option{"pictures", "write pictures (map_top.png, map_3d.png, snapshots)"}, p.pictures);
   f(Option{"picture_width_px", "width of pictures, pixels", {200, 4096}}, p.picture_width_px);
   f(Option{"scene", "write the 3-D view for SceneViewer3D (map.3Dscene)"}, p.scene);
+  f(Option{"export_ply", "write all layers as a point per cell (map.ply)"}, p.export_ply);
+  f(Option{"export_pcd", "the same for PCL (map.pcd)"}, p.export_pcd);
+  f(
+      Option{
+          "export_geopackage",
+          "write all layers as a table of cells, and the trajectory, for QGIS (map.gpkg)"},
+      p.export_geopackage);
 }
 
 template <class F>

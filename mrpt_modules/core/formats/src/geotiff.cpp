@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "gdal_memory.h"
+
 #include <traverse/formats/bytes.h>
 #include <traverse/formats/geotiff.h>
 
 #include <array>
-#include <atomic>
 #include <cpl_error.h>
 #include <cpl_string.h>
-#include <cpl_vsi.h>
 #include <fmt/format.h>
-#include <gdal_priv.h>
 #include <limits>
-#include <memory>
-#include <mutex>
-#include <ogr_spatialref.h>
 #include <stdexcept>
 
 namespace traverse::formats
@@ -31,77 +27,19 @@ constexpr GDALDataType kGdalType<float> = GDT_Float32;
 template <>
 constexpr GDALDataType kGdalType<double> = GDT_Float64;
 
-/** Keeps GDAL from printing, for this scope and thread. */
-struct QuietGdal
-{
-  QuietGdal()
-  {
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-
-  ~QuietGdal() { CPLPopErrorHandler(); }
-
-  QuietGdal(const QuietGdal&) = delete;
-  QuietGdal& operator=(const QuietGdal&) = delete;
-};
-
 [[noreturn]] void refuse(const std::string& layer)
 {
   throw FormatError(fmt::format("GeoTIFF of '{}': {}", layer, CPLGetLastErrorMsg()));
 }
 
-/** A file in GDAL's memory: there a full disk cannot be missed. */
-class MemoryFile
-{
- public:
-  MemoryFile()
-  {
-    static std::atomic<unsigned> calls = 0;
-    path_ = fmt::format("/vsimem/traverse-{}.tif", calls++);
-  }
-
-  ~MemoryFile() { VSIUnlink(path_.c_str()); }
-
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  const char* path() const { return path_.c_str(); }
-
-  std::string take() const
-  {
-    vsi_l_offset size = 0;
-    const GByte* bytes = VSIGetMemFileBuffer(path_.c_str(), &size, FALSE);
-    return bytes == nullptr ? std::string()
-                            : std::string(reinterpret_cast<const char*>(bytes), size);
-  }
-
- private:
-  std::string path_;
-};
-
-struct CloseDataset
-{
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
 Dataset create(const MemoryFile& file, const layers::LayerSet& set, GDALDataType type)
 {
-  static std::once_flag registered;
-  std::call_once(registered, GDALAllRegister);
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-  if (driver == nullptr)
-  {
-    throw FormatError("GDAL has no GTiff driver");
-  }
   const bool floating = type == GDT_Float32 || type == GDT_Float64;
   CPLStringList options;
   options.SetNameValue("COMPRESS", "DEFLATE");
   options.SetNameValue("PREDICTOR", floating ? "3" : "2");
   options.SetNameValue("BIGTIFF", "IF_SAFER");
-  return Dataset(driver->Create(
+  return Dataset(gdalDriver("GTiff").Create(
       file.path(), set.extent.width(), set.extent.height(), 1, type, options.List()));
 }
 
@@ -116,8 +54,7 @@ bool placeOnMap(GDALDataset& dataset, const layers::LayerSet& set)
       0,
       -lattice.cell_m()};
   OGRSpatialReference reference;
-  return reference.SetFromUserInput(R"(LOCAL_CS["map",UNIT["metre",1]])") == OGRERR_NONE &&
-         dataset.SetGeoTransform(transform.data()) == CE_None &&
+  return setMapFrame(reference) && dataset.SetGeoTransform(transform.data()) == CE_None &&
          dataset.SetSpatialRef(&reference) == CE_None;
 }
 
@@ -159,7 +96,7 @@ std::string encode(
     const layers::LayerSet& set, const layers::Layer& layer, const std::vector<T>& cells)
 {
   const QuietGdal quiet;
-  const MemoryFile file;
+  const MemoryFile file(".tif");
   Dataset dataset = create(file, set, kGdalType<T>);
   if (!dataset || !placeOnMap(*dataset, set))
   {
@@ -179,7 +116,7 @@ std::string encode(
   band.SetDescription(layer.name.c_str());
   good = good && band.SetUnitType(layer.unit.c_str()) == CE_None && writeRows(*dataset, set, cells);
   dataset.reset();  // writes the rest; its only word about failure is the last error
-  if (!good || CPLGetLastErrorType() >= CE_Failure)
+  if (!good || quiet.failed())
   {
     refuse(layer.name);
   }
