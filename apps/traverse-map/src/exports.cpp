@@ -25,7 +25,7 @@ Path_m trajectoryOf(const poses::PoseTrack& track)
 void writeExports(
     const RunParams& run,
     const std::string& suffix,
-    const Exported& map,
+    const MapLayers& map,
     const std::function<void(const std::string& name, const std::string& bytes)>& write)
 {
   const std::string stem = "map" + suffix;

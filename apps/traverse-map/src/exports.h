@@ -19,8 +19,8 @@ using Path_m = std::vector<std::array<double, 3>>;
 /** Where the vehicle was, m; nothing where it has one pose for all times. */
 Path_m trajectoryOf(const poses::PoseTrack& track);
 
-/** A map as others are to have it. */
-struct Exported
+/** A map for those outside: files, report. */
+struct MapLayers
 {
   const layers::LayerSet& layers;
   const Path_m& trajectory_m;
@@ -30,6 +30,6 @@ struct Exported
 void writeExports(
     const RunParams& run,
     const std::string& suffix,
-    const Exported& map,
+    const MapLayers& map,
     const std::function<void(const std::string& name, const std::string& bytes)>& write);
 }  // namespace traverse::app

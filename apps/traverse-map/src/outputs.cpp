@@ -194,6 +194,7 @@ void Outputs::finish(
     const std::vector<BuiltMap>& maps, const poses::PoseTrack& track, poses::TimeNs last_stamp)
 {
   std::vector<formats::Section> sections;
+  const Path_m path = trajectoryOf(track);
   for (size_t i = 0; i < maps.size(); ++i)
   {
     const BuiltMap& map = maps[i];
@@ -214,11 +215,15 @@ void Outputs::finish(
         [&]
         {
           writeExports(
-              settings_.run, map.file_suffix, {set, trajectoryOf(track)},
+              settings_.run, map.file_suffix, {set, path},
               [&](const std::string& name, const std::string& bytes) { write(name, bytes); });
         });
     metrics_.times.during("pictures", [&] { writePictures(map, set, track, last_stamp); });
-    sections.push_back(mapSection(metrics_.maps[i], set, std::move(pictures_)));
+    sections.push_back(metrics_.times.during(
+        "report",
+        [&] {
+          return mapSection(metrics_.maps[i], {set, path}, std::move(pictures_));
+        }));
     pictures_.clear();
   }
   write(kConfigFile, configIni(settings_));

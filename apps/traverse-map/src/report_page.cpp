@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_page.h"
 
+#include <traverse/formats/layer_map.h>
+
 #include <fmt/format.h>
 
 namespace traverse::app
@@ -116,8 +118,9 @@ std::string partOf(const RunMetrics& metrics)
 }  // namespace
 
 formats::Section mapSection(
-    const MapMetrics& map, const layers::LayerSet& layers, std::vector<formats::Picture> pictures)
+    const MapMetrics& map, const MapLayers& shown, std::vector<formats::Picture> pictures)
 {
+  const layers::LayerSet& layers = shown.layers;
   formats::Section section{map.name, {}};
   section.blocks.emplace_back(formats::Paragraph{fmt::format(
       "{} scans with {} points in cells of {} m; {} points lay outside the map, {} scans had no "
@@ -126,6 +129,7 @@ formats::Section mapSection(
       readableNumber(static_cast<double>(map.outside)), map.scans_no_pose)});
   section.blocks.emplace_back(formats::Gallery{std::move(pictures)});
   section.blocks.emplace_back(formats::Legend{layers.legend});
+  section.blocks.emplace_back(formats::layerMap(layers, shown.trajectory_m));
   section.blocks.emplace_back(classChart(map, layers));
   for (const layers::Layer& layer : layers.layers)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "exports.h"
 #include "metrics.h"
 #include "settings.h"
 
@@ -13,9 +14,10 @@
 
 namespace traverse::app
 {
-/** The section of a map: pictures, legend, cells by class, histograms of its floating layers. */
+/** The section of a map: pictures, legend, a map to explore, cells by class, histograms of its
+ * floating layers. */
 formats::Section mapSection(
-    const MapMetrics& map, const layers::LayerSet& layers, std::vector<formats::Picture> pictures);
+    const MapMetrics& map, const MapLayers& shown, std::vector<formats::Picture> pictures);
 
 /** The whole page as HTML. */
 std::string reportPage(

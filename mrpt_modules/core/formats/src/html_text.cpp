@@ -113,6 +113,36 @@ std::string base64(std::string_view bytes)
   return text;
 }
 
+std::string jsonInPage(std::string_view ascii_json)
+{
+  std::string safe;
+  safe.reserve(ascii_json.size());
+  for (const char c : ascii_json)
+  {
+    if (c == '<' || c == '>' || c == '&')  // in JSON they stand inside strings only
+    {
+      safe += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    }
+    else
+    {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string PageScript::source() const
+{
+  constexpr int kHexadecimal = 16;
+  std::string digest;
+  for (size_t i = 0; i + 1 < sha256_hex.size(); i += 2)
+  {
+    digest +=
+        static_cast<char>(std::stoi(std::string(sha256_hex.substr(i, 2)), nullptr, kHexadecimal));
+  }
+  return "'sha256-" + base64(digest) + "'";
+}
+
 std::string cssColour(layers::Colour colour)
 {
   return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);

@@ -21,6 +21,21 @@ std::string cssColour(layers::Colour colour);
 /** The page's style sheet. */
 std::string_view styleSheet();
 
+/** JSON (ASCII) that can stand in a script element: no markup left. */
+std::string jsonInPage(std::string_view ascii_json);
+
+/** A script of ours and what a policy calls it ("'sha256-...'"). */
+struct PageScript
+{
+  std::string_view text;
+  std::string_view sha256_hex;
+
+  std::string source() const;
+};
+
+/** Made of resources/ when building: the maps of a report. */
+const PageScript& mapScript();
+
 std::string barChartSvg(const BarChart& chart);
 std::string histogramSvg(const Histogram& histogram);
 }  // namespace traverse::formats

@@ -124,6 +124,30 @@ std::string block(const Histogram& h)
   return headed(histogramSvg(h), h.caption);
 }
 
+std::string block(const LayerMap& map)
+{
+  if (map.json.empty())
+  {
+    return "<p>" + escaped(map.caption) + "</p>\n";
+  }
+  return "<figure class=\"map\"><figcaption>" + escaped(map.caption) +
+         "</figcaption><noscript><p>Layers can be switched where JavaScript may run.</p></noscript>"
+         "<script type=\"application/json\">" +
+         jsonInPage(map.json) + "</script></figure>\n";
+}
+
+bool hasMaps(const Report& report)
+{
+  const auto is_map = [](const Block& b)
+  {
+    const auto* map = std::get_if<LayerMap>(&b);
+    return map != nullptr && !map->json.empty();
+  };
+  return std::any_of(
+      report.sections.begin(), report.sections.end(),
+      [&](const Section& s) { return std::any_of(s.blocks.begin(), s.blocks.end(), is_map); });
+}
+
 std::string navigation(const Report& report)
 {
   std::string out = "<nav>";
@@ -134,19 +158,24 @@ std::string navigation(const Report& report)
   return out + "</nav>\n";
 }
 
-// The policy makes the browser itself refuse scripts and every address but data in the page.
-constexpr std::string_view kHead = R"html(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
-)html";
+/** The policy makes the browser itself refuse every address but data in the page, and every script
+ * but ours. */
+std::string headOf(bool with_script)
+{
+  const std::string scripts = with_script ? "; script-src " + mapScript().source() : "";
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
+         "data:; "
+         "style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
+         scripts + "\">\n";
+}
 }  // namespace
 
 std::string html(const Report& report)
 {
-  std::string page(kHead);
+  const bool with_script = hasMaps(report);
+  std::string page = headOf(with_script);
   page += fmt::format("<title>{}</title>\n<style>", escaped(report.title));
   page += styleSheet();
   page += fmt::format(
@@ -163,6 +192,13 @@ std::string html(const Report& report)
     }
     page += "</section>\n";
   }
-  return page + "</main>\n<footer>" + escaped(report.footer) + "</footer>\n</body>\n</html>\n";
+  page += "</main>\n<footer>" + escaped(report.footer) + "</footer>\n";
+  if (with_script)
+  {
+    page += "<script>";
+    page += mapScript().text;
+    page += "</script>\n";
+  }
+  return page + "</body>\n</html>\n";
 }
 }  // namespace traverse::formats

@@ -74,9 +74,31 @@ svg .soft { fill: var(--soft); }
 svg .bar { fill: var(--accent); }
 svg .outlined { stroke: var(--line); stroke-width: 1; }
 svg .axis { stroke: var(--line); stroke-width: 1; }
+.map-bar { display: flex; flex-wrap: wrap; align-items: center; gap: 8px 10px; margin: 8px 0; font-size: 14px; }
+.map-bar select, .map-bar button {
+  font: inherit; color: var(--ink); background: var(--page); border: 1px solid var(--line); border-radius: 6px;
+  padding: 4px 10px; min-height: 32px;
+}
+.map-bar button { min-width: 34px; cursor: pointer; }
+.map-body { display: flex; flex-wrap: wrap; gap: 16px; }
+.map-stage { flex: 3 1 420px; min-width: 0; }
+.map canvas {
+  display: block; width: 100%; height: min(66vh, 620px); background: var(--page); color: var(--ink);
+  border: 1px solid var(--line); border-radius: 6px; touch-action: none; cursor: crosshair;
+}
+.map canvas:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
+.map-scale { display: flex; flex-wrap: wrap; align-items: center; gap: 4px 8px; padding: 8px 0; font-size: 13px; }
+.map-scale .swatch { width: 14px; height: 14px; border-radius: 3px; border: 1px solid rgba(127, 127, 127, 0.5); }
+.map-scale .ramp { flex: 0 1 200px; min-width: 60px; height: 12px; border-radius: 3px; }
+.map-values { flex: 1 1 250px; font-size: 13px; min-height: 330px; }
+.map-values p { color: var(--soft); }
+.map-values table { width: 100%; min-width: 0; font-size: 13px; }
+.map-values th, .map-values td { padding: 3px 8px 3px 0; overflow-wrap: anywhere; }
+.map-values td { text-align: right; font-variant-numeric: tabular-nums; }
 footer { padding-top: 4px; padding-bottom: 40px; color: var(--soft); font-size: 13px; }
 @media print {
   body { background: none; } section { break-inside: avoid; border: none; padding: 0; } nav { display: none; }
+  .map { display: none; }
 }
 )css";
 }  // namespace

@@ -92,8 +92,24 @@ struct Histogram
   std::vector<uint64_t> counts;
 };
 
-using Block = std::
-    variant<Paragraph, Notice, KeyFigures, Picture, Gallery, Legend, Table, BarChart, Histogram>;
+/** A map to explore: layers to switch, values of the cell under the pointer. See layerMap(). */
+struct LayerMap
+{
+  std::string caption;
+  std::string json;  //!< ASCII; empty: the caption alone
+};
+
+using Block = std::variant<
+    Paragraph,
+    Notice,
+    KeyFigures,
+    Picture,
+    Gallery,
+    Legend,
+    Table,
+    BarChart,
+    Histogram,
+    LayerMap>;
 
 struct Section
 {
@@ -109,9 +125,10 @@ struct Report
   std::string footer;
 };
 
-/** The report as one HTML page that needs nothing else: no script, no network, light and dark, also
- * for print. All texts may be hostile; they are escaped, and bytes that are no UTF-8 shown as such.
- * The same report gives the same bytes. */
+/** The report as one HTML page that needs nothing else and loads nothing: light and dark, also for
+ * print. It has a script where it has a LayerMap, the page's own one and no other may run; all else
+ * can be read without. All texts may be hostile; they are escaped, and bytes that are no UTF-8
+ * shown as such. The same report gives the same bytes. */
 std::string html(const Report& report);
 
 /** Histogram of the finite values over their own range; no counts where there are none. A constant
