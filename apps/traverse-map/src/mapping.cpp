@@ -95,6 +95,7 @@ void takeReport(const logs::LogReport& report, RunMetrics& metrics)
   metrics.repeated_stamps = report.repeated_stamps;
   metrics.backward_stamps = report.backward_stamps;
   metrics.bad_stamps = report.bad_stamps;
+  metrics.sensors = report.sensors;
   if (metrics.piece)
   {
     noteWhole(report, *metrics.piece);

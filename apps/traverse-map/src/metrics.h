@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/logs/sensor_times.h>
 #include <traverse/points/scan.h>
 
 #include <chrono>
@@ -106,6 +107,7 @@ struct RunMetrics
   std::map<std::string, uint64_t> poses;         //!< PoseTrack's report
   std::string pose_source;
   std::vector<MapMetrics> maps;
+  std::vector<logs::SensorTimes> sensors;  //!< for the report; not in metrics.json
   std::vector<std::string> files;
   StageTimes times;
 };

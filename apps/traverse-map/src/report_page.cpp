@@ -59,9 +59,29 @@ formats::Section overview(const RunMetrics& metrics)
   return section;
 }
 
+formats::Timeline timelineOf(const RunMetrics& metrics)
+{
+  formats::Timeline timeline{
+      "When each sensor spoke: its rate over the time of the log (high where it is highest), gaps "
+      "in orange; red below the line: stamps that go backward, orange above: stamps that repeat",
+      {}};
+  timeline.rows.reserve(metrics.sensors.size());
+  for (const logs::SensorTimes& sensor : metrics.sensors)
+  {
+    timeline.rows.push_back(
+        {sensor.label, sensor.type, sensor.count, sensor.backward, sensor.repeated, sensor.bad,
+         sensor.stamps});
+  }
+  return timeline;
+}
+
 formats::Section inputs(const RunMetrics& metrics)
 {
   formats::Section section{"What came in", {}};
+  if (!metrics.sensors.empty())
+  {
+    section.blocks.emplace_back(timelineOf(metrics));
+  }
   section.blocks.emplace_back(
       countTable("Observations that became scans", "class", metrics.observations));
   const std::vector<std::pair<std::string, std::map<std::string, uint64_t>>> tables = {

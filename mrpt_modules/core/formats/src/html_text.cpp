@@ -143,6 +143,20 @@ std::string PageScript::source() const
   return "'sha256-" + base64(digest) + "'";
 }
 
+std::string shortened(const std::string& text, size_t most)
+{
+  size_t characters = 0;
+  for (size_t i = 0; i < text.size(); ++i)
+  {
+    const bool begins = (static_cast<uint8_t>(text[i]) & 0xC0U) != 0x80U;
+    if (begins && ++characters > most)
+    {
+      return text.substr(0, i) + "\xE2\x80\xA6";
+    }
+  }
+  return text;
+}
+
 std::string cssColour(layers::Colour colour)
 {
   return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);

@@ -38,4 +38,8 @@ const PageScript& mapScript();
 
 std::string barChartSvg(const BarChart& chart);
 std::string histogramSvg(const Histogram& histogram);
+std::string timelineSvg(const Timeline& timeline);
+
+/** At most `most` characters, with an ellipsis; does not cut UTF-8 in two. */
+std::string shortened(const std::string& text, size_t most);
 }  // namespace traverse::formats

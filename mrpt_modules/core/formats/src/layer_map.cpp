@@ -78,7 +78,7 @@ Squares squaresOf(
 }
 
 /** A float's bits with the lowest 8 rounded away; NaN is always the same one. */
-uint32_t shortened(float value)
+uint32_t roundedBits(float value)
 {
   const auto bits = std::bit_cast<uint32_t>(value);
   if (std::isnan(value))
@@ -157,7 +157,7 @@ Json encode(const Squares& squares, const std::vector<uint32_t>& values)
 Json encode(const Squares& squares, const std::vector<float>& values)
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  return encoded("f24", 0, planes(numbersOf(squares, values, nan, shortened), 1));
+  return encoded("f24", 0, planes(numbersOf(squares, values, nan, roundedBits), 1));
 }
 
 Json encode(const Squares& squares, const std::vector<double>& values)

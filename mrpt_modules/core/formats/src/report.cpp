@@ -124,6 +124,11 @@ std::string block(const Histogram& h)
   return headed(histogramSvg(h), h.caption);
 }
 
+std::string block(const Timeline& timeline)
+{
+  return headed(timelineSvg(timeline), timeline.caption);
+}
+
 std::string block(const LayerMap& map)
 {
   if (map.json.empty())

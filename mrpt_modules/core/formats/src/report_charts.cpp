@@ -19,21 +19,6 @@ double drawable(double value)
   return std::isfinite(value) && value > 0 ? value : 0;
 }
 
-/** At most `most` characters, with an ellipsis; does not cut UTF-8 in two. */
-std::string shortened(const std::string& text, size_t most)
-{
-  size_t characters = 0;
-  for (size_t i = 0; i < text.size(); ++i)
-  {
-    const bool begins = (static_cast<uint8_t>(text[i]) & 0xC0U) != 0x80U;
-    if (begins && ++characters > most)
-    {
-      return text.substr(0, i) + "\xE2\x80\xA6";
-    }
-  }
-  return text;
-}
-
 std::string withUnit(double value, const std::string& unit)
 {
   return unit.empty() ? readableNumber(value) : readableNumber(value) + " " + unit;

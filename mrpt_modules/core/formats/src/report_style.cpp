@@ -10,12 +10,12 @@ constexpr std::string_view kStyleSheet = R"css(
 :root {
   color-scheme: light dark;
   --page: #f6f7f9; --card: #ffffff; --ink: #1c2330; --soft: #5b6576; --line: #dde2ea;
-  --accent: #2f6fde; --notice: #fff4d6; --notice-line: #e0a800;
+  --accent: #2f6fde; --notice: #fff4d6; --notice-line: #e0a800; --gap: #e08a00;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --page: #12151b; --card: #1a1f28; --ink: #e6eaf1; --soft: #98a3b5; --line: #2c3442;
-    --accent: #6ea2ff; --notice: #3a3014; --notice-line: #d9a400;
+    --accent: #6ea2ff; --notice: #3a3014; --notice-line: #d9a400; --gap: #ffb43c;
   }
 }
 * { box-sizing: border-box; }
@@ -73,6 +73,11 @@ svg text { fill: var(--ink); font-size: 13px; font-family: inherit; }
 svg .soft { fill: var(--soft); }
 svg .bar { fill: var(--accent); }
 svg .outlined { stroke: var(--line); stroke-width: 1; }
+svg.timeline { max-width: none; }
+svg.timeline text { font-size: 11px; }
+svg .gap { fill: var(--gap); opacity: 0.4; }
+svg .backward { fill: #d4361e; }
+svg .repeated { fill: var(--gap); }
 svg .axis { stroke: var(--line); stroke-width: 1; }
 .map-bar { display: flex; flex-wrap: wrap; align-items: center; gap: 8px 10px; margin: 8px 0; font-size: 14px; }
 .map-bar select, .map-bar button {

@@ -92,6 +92,27 @@ struct Histogram
   std::vector<uint64_t> counts;
 };
 
+/** When one sensor spoke. */
+struct TimelineRow
+{
+  std::string label;
+  std::string type;
+  uint64_t count = 0;     //!< observations
+  uint64_t backward = 0;  //!< stamped before their predecessor
+  uint64_t repeated = 0;  //!< stamped as their predecessor
+  uint64_t bad = 0;       //!< without a usable stamp
+
+  std::vector<int64_t> stamps_ns;  //!< in order of arrival; may be the first ones only
+};
+
+/** Rates over a common time, gaps (more than three times the usual step), and where stamps went
+ * backward (below the line) or came twice (above). The first 64 rows are drawn. */
+struct Timeline
+{
+  std::string caption;
+  std::vector<TimelineRow> rows;
+};
+
 /** A map to explore: layers to switch, values of the cell under the pointer. See layerMap(). */
 struct LayerMap
 {
@@ -109,6 +130,7 @@ using Block = std::variant<
     Table,
     BarChart,
     Histogram,
+    Timeline,
     LayerMap>;
 
 struct Section
