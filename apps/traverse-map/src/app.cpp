@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
+#include "index_runs.h"
 #include "label_files.h"
 #include "map_set.h"
 #include "mapping.h"
@@ -153,6 +154,11 @@ ExitCode runCommand(const Command& command)
   if (!command.why.empty())
   {
     return explainCell(command);
+  }
+  if (!command.index.empty())
+  {
+    std::cout << writeIndex(command.index, command.force).string() << "\n";
+    return ExitCode::done;
   }
   const Settings settings = loadSettings(command);
   if (command.check_config)

@@ -80,6 +80,20 @@ void declareMapsOfMaps(CLI::App& cli, Command& command)
   }
 }
 
+void declareIndex(CLI::App& cli, Command& command)
+{
+  auto* index = cli.add_option(
+      "--index", command.index,
+      "write DIR/index.html: a table of the runs whose output folders are in DIR");
+  index->type_name("DIR");
+  for (const char* other :
+       {"CONFIG.ini", "--rawlog", "--output", "--set", "--piece", "--merge", "--rebuild", "--why",
+        "--point-labels", "--check-config", "--print-defaults", "--print-options"})
+  {
+    index->excludes(cli.get_option(other));
+  }
+}
+
 void declare(CLI::App& cli, Command& command)
 {
   cli.add_option("CONFIG.ini", command.config, "what to map and how");
@@ -104,6 +118,7 @@ void declare(CLI::App& cli, Command& command)
       ->type_name("DIR");
   declarePieces(cli, command);
   declareMapsOfMaps(cli, command);
+  declareIndex(cli, command);
   for (const char* other : {"--piece", "--merge", "--rebuild", "--why"})
   {
     cli.get_option("--point-labels")->excludes(cli.get_option(other));
@@ -122,8 +137,8 @@ ParsedCommand parseCommandLine(int argc, const char* const* argv)
   try
   {
     cli.parse(argc, argv);
-    const bool needs_config =
-        command.merge.empty() && !command.print_defaults && !command.print_options;
+    const bool needs_config = command.merge.empty() && command.index.empty() &&
+                              !command.print_defaults && !command.print_options;
     if (needs_config && command.config.empty())
     {
       throw CLI::RequiredError("CONFIG.ini");

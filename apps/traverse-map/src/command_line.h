@@ -31,6 +31,7 @@ struct Command
   std::vector<std::filesystem::path> merge;  //!< --merge: folders of pieces
   std::string rebuild;                       //!< --rebuild: an octree to map instead of a log
   std::string why;                           //!< --why X,Y; config is the output folder
+  std::filesystem::path index;               //!< --index: folder of output folders
   bool check_config = false;
   bool print_defaults = false;
   bool print_options = false;

@@ -102,6 +102,7 @@ std::string toJson(const RunMetrics& metrics)
   const double total_s = metrics.times.total_s();
   Json json = {
       {"traverse_version", TRAVERSE_VERSION},
+      {"title", metrics.title},
       {"rawlog", metrics.rawlog},
       {"complete", metrics.complete},
       {"problems", metrics.problems},

@@ -83,6 +83,7 @@ struct PieceMetrics
 /** What a run met and did: metrics.json. */
 struct RunMetrics
 {
+  std::string title;
   std::string rawlog;
   std::optional<PieceMetrics> piece;    //!< of a run with --piece
   uint64_t merged_pieces = 0;           //!< of a run with --merge

@@ -38,6 +38,7 @@ Outputs::Outputs(const Settings& settings, RunMetrics& metrics) :
         withParents(settings.output),
         settings.force ? formats::Overwrite::replace : formats::Overwrite::refuse)
 {
+  metrics.title = titleOf(settings);
 }
 
 void Outputs::write(const std::string& name, const std::string& bytes)

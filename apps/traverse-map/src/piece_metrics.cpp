@@ -47,17 +47,6 @@ MapMetrics mapFrom(const Json& json)
   return map;
 }
 
-/** Texts are written and compared by recursion. */
-bool refuseDepth(int depth, Json::parse_event_t /*event*/, Json& /*parsed*/)
-{
-  constexpr int kDeepest = 8;
-  if (depth > kDeepest)
-  {
-    throw formats::FormatError("is damaged: objects within objects, deeper than a run writes them");
-  }
-  return true;
-}
-
 RunMetrics metricsFrom(const Json& json)
 {
   RunMetrics m;
@@ -123,7 +112,7 @@ RunMetrics pieceFromJson(const std::string& text)
 {
   try
   {
-    const Json json = Json::parse(text, refuseDepth);
+    const Json json = parsedMetrics(text);
     if (!json.is_object() || !json.contains("piece"))
     {
       throw formats::FormatError("is of no piece of a log: it was not made with --piece");

@@ -137,6 +137,11 @@ std::string partOf(const RunMetrics& metrics)
 }
 }  // namespace
 
+std::string titleOf(const Settings& settings)
+{
+  return settings.run.title.empty() ? settings.rawlog.filename().string() : settings.run.title;
+}
+
 formats::Section mapSection(
     const MapMetrics& map, const MapLayers& shown, std::vector<formats::Picture> pictures)
 {
@@ -171,8 +176,7 @@ std::string reportPage(
     const Settings& settings, const RunMetrics& metrics, std::vector<formats::Section> maps)
 {
   formats::Report report;
-  report.title =
-      settings.run.title.empty() ? settings.rawlog.filename().string() : settings.run.title;
+  report.title = titleOf(settings);
   report.subtitle = settings.rawlog.string() + partOf(metrics);
   report.sections.push_back(overview(metrics));
   for (formats::Section& map : maps)

@@ -14,6 +14,9 @@
 
 namespace traverse::app
 {
+/** The ini's title, or the log's name. */
+std::string titleOf(const Settings& settings);
+
 /** The section of a map: pictures, legend, a map to explore, cells by class, histograms of its
  * floating layers. */
 formats::Section mapSection(

@@ -33,8 +33,13 @@ struct PageScript
   std::string source() const;
 };
 
-/** Made of resources/ when building: the maps of a report. */
+/** Made of resources/ when building: the maps of a report, the table of an index. */
 const PageScript& mapScript();
+const PageScript& sortScript();
+
+/** What every page of ours has in its head. The policy makes the browser itself refuse every
+ * address but data in the page, and every script but those of `script_source` (empty: all). */
+std::string headLines(const std::string& script_source);
 
 std::string barChartSvg(const BarChart& chart);
 std::string histogramSvg(const Histogram& histogram);

@@ -162,25 +162,24 @@ std::string navigation(const Report& report)
   }
   return out + "</nav>\n";
 }
+}  // namespace
 
-/** The policy makes the browser itself refuse every address but data in the page, and every script
- * but ours. */
-std::string headOf(bool with_script)
+std::string headLines(const std::string& script_source)
 {
-  const std::string scripts = with_script ? "; script-src " + mapScript().source() : "";
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+  const std::string scripts = script_source.empty() ? "" : "; script-src " + script_source;
+  return "<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
          "data:; "
          "style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
          scripts + "\">\n";
 }
-}  // namespace
 
 std::string html(const Report& report)
 {
   const bool with_script = hasMaps(report);
-  std::string page = headOf(with_script);
+  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n" +
+                     headLines(with_script ? mapScript().source() : "");
   page += fmt::format("<title>{}</title>\n<style>", escaped(report.title));
   page += styleSheet();
   page += fmt::format(

@@ -10,12 +10,12 @@ constexpr std::string_view kStyleSheet = R"css(
 :root {
   color-scheme: light dark;
   --page: #f6f7f9; --card: #ffffff; --ink: #1c2330; --soft: #5b6576; --line: #dde2ea;
-  --accent: #2f6fde; --notice: #fff4d6; --notice-line: #e0a800; --gap: #e08a00;
+  --accent: #2f6fde; --notice: #fff4d6; --notice-line: #e0a800; --gap: #e08a00; --bad: #b3261e;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --page: #12151b; --card: #1a1f28; --ink: #e6eaf1; --soft: #98a3b5; --line: #2c3442;
-    --accent: #6ea2ff; --notice: #3a3014; --notice-line: #d9a400; --gap: #ffb43c;
+    --accent: #6ea2ff; --notice: #3a3014; --notice-line: #d9a400; --gap: #ffb43c; --bad: #ff8a80;
   }
 }
 * { box-sizing: border-box; }
@@ -100,6 +100,15 @@ svg .axis { stroke: var(--line); stroke-width: 1; }
 .map-values table { width: 100%; min-width: 0; font-size: 13px; }
 .map-values th, .map-values td { padding: 3px 8px 3px 0; overflow-wrap: anywhere; }
 .map-values td { text-align: right; font-variant-numeric: tabular-nums; }
+.wide header, .wide main { max-width: 1500px; }
+.runs th button { font: inherit; color: inherit; background: none; border: none; padding: 0; cursor: pointer; }
+.runs th button:hover { text-decoration: underline; }
+.runs th[aria-sort=ascending] button::after { content: " \25B2"; }
+.runs th[aria-sort=descending] button::after { content: " \25BC"; }
+.runs td { max-width: 22em; overflow-wrap: anywhere; }
+.runs a { color: var(--accent); }
+.runs .thumbnail img { display: block; width: 150px; border: 1px solid var(--line); border-radius: 4px; }
+.runs .bad { color: var(--bad); }
 footer { padding-top: 4px; padding-bottom: 40px; color: var(--soft); font-size: 13px; }
 @media print {
   body { background: none; } section { break-inside: avoid; border: none; padding: 0; } nav { display: none; }
