@@ -3,6 +3,7 @@
 //
 // report.html in a headless Chromium: pointed at, clicked, and held against what the map has there.
 #include <traverse/formats/layer_map.h>
+#include <traverse/formats/run_index.h>
 #include <traverse/formats/safe_file.h>
 
 #include <gmock/gmock.h>
@@ -240,6 +241,38 @@ TEST_F(ReportInBrowser, WithoutScriptItSaysSoAndStaysReadable)
   EXPECT_THAT(
       std::string(browser_->evaluate("document.body.innerText")), Not(HasSubstr("cell_mm")));
   EXPECT_EQ(browser_->evaluate("document.querySelectorAll('canvas').length"), 0);
+}
+
+TEST(IndexInBrowser, AClickSortsAndASecondTurnsIt)
+{
+  NEEDS_CHROMIUM();
+  std::vector<RunEntry> runs(3);
+  const std::array<std::optional<uint64_t>, 3> scans = {9, std::nullopt, 100};
+  for (size_t i = 0; i < 3; ++i)
+  {
+    runs[i].folder = std::string(1, static_cast<char>('a' + i));
+    runs[i].scans = scans[i];
+  }
+  const ScratchFolder scratch;
+  writeFile(scratch / "index.html", runIndex("Runs", runs));
+  Browser browser;
+  browser.open(scratch / "index.html");
+  const auto order = [&]() -> std::string
+  {
+    return browser.evaluate(
+        "[...document.querySelectorAll('tbody tr')].map(r => r.cells[2].textContent).join('')");
+  };
+  const auto heading = browser.evaluate(
+      "(() => { const b = [...document.querySelectorAll('th button')].find(b => b.textContent === "
+      "'scans')"
+      ".getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; })()");
+  EXPECT_EQ(order(), "abc");
+  browser.click(heading[0], heading[1]);
+  EXPECT_EQ(order(), "acb") << "by number, those without one last";
+  browser.click(heading[0], heading[1]);
+  EXPECT_EQ(order(), "cab");
+  EXPECT_THAT(browser.requests(), IsEmpty());
+  EXPECT_THAT(browser.complaints(), IsEmpty());
 }
 
 TEST(ReportOfARun, ShowsWhatTheGeoTiffsHave)

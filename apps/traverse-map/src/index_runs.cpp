@@ -57,7 +57,7 @@ const Json& member(const Json& json, const char* key, bool (Json::*is_type)() co
   const auto found = json.is_object() ? json.find(key) : json.end();
   if (!json.is_object() || found == json.end() || !((*found).*is_type)())
   {
-    throw formats::FormatError(fmt::format("metrics.json is damaged: no proper '{}'", key));
+    throw formats::FormatError(fmt::format("is damaged: no proper '{}'", key));
   }
   return *found;
 }
@@ -80,7 +80,7 @@ void readMetrics(const Json& json, formats::RunEntry& run)
   formats::RunEntry read = run;
   read.state = stateOf(json);
   read.good = read.state == "complete";
-  read.log = member(json, "rawlog", &Json::is_string).get<std::string>();
+  read.log = fs::path(member(json, "rawlog", &Json::is_string).get<std::string>()).filename();
   read.scans = member(json, "scans", &Json::is_number_unsigned).get<uint64_t>();
   read.points = member(json, "points", &Json::is_number_unsigned).get<uint64_t>();
   read.seconds = member(json, "seconds_total", &Json::is_number).get<double>();
@@ -129,9 +129,14 @@ formats::RunEntry entryOf(const fs::path& folder, bool with_picture)
   {
     run.state = "metrics.json is damaged: no JSON";
   }
-  catch (const std::runtime_error& e)  // FormatError, FileError
+  catch (const formats::FormatError& e)
   {
-    run.state = e.what();
+    run.state = std::string("metrics.json ") + e.what();
+  }
+  catch (const formats::FileError&)
+  {
+    run.state = isThere(folder / "metrics.json") ? "metrics.json cannot be read, or is far too long"
+                                                 : "not finished: metrics.json is missing";
   }
   return run;
 }
