@@ -3,6 +3,7 @@
 #include "report_page.h"
 
 #include <traverse/formats/layer_map.h>
+#include <traverse/formats/png.h>
 
 #include <fmt/format.h>
 
@@ -126,6 +127,23 @@ formats::BarChart classChart(const MapMetrics& map, const layers::LayerSet& laye
   return chart;
 }
 
+/** Where none could be rendered, the classes themselves: a page without script needs some picture.
+ */
+std::vector<formats::Picture> withOne(
+    std::vector<formats::Picture> pictures, const layers::LayerSet& layers)
+{
+  constexpr size_t kMostCells = 4'000'000;
+  const layers::Layer* classes = layers.find(layers.class_layer);
+  const bool drawable = classes != nullptr && layers.size() <= kMostCells &&
+                        std::holds_alternative<std::vector<uint8_t>>(classes->data);
+  if (pictures.empty() && drawable)
+  {
+    pictures.push_back(
+        {formats::png(formats::classPicture(layers)), "Classes from above, north up.", true});
+  }
+  return pictures;
+}
+
 std::string partOf(const RunMetrics& metrics)
 {
   if (metrics.piece)
@@ -152,7 +170,7 @@ formats::Section mapSection(
       "valid pose.",
       map.scans, readableNumber(static_cast<double>(map.points)), layers.lattice.cell_m(),
       readableNumber(static_cast<double>(map.outside)), map.scans_no_pose)});
-  section.blocks.emplace_back(formats::Gallery{std::move(pictures)});
+  section.blocks.emplace_back(formats::Gallery{withOne(std::move(pictures), layers)});
   section.blocks.emplace_back(formats::Legend{layers.legend});
   section.blocks.emplace_back(formats::layerMap(layers, shown.trajectory_m));
   section.blocks.emplace_back(classChart(map, layers));
