@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/sandbox/input_file.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <byte_source.h>
-#include <log_file.h>
 #include <random>
 #include <support/scratch_folder.h>
 #include <support/synthetic_logs.h>
@@ -24,7 +25,7 @@ Unpacked unpack(const std::string& stored)
 {
   const traverse::testing::ScratchFolder dir;
   traverse::testing::writeText(dir / "f", stored);
-  const logs::LogFile file = logs::openLog(dir / "f");
+  const sandbox::InputFile file = sandbox::openInput(dir / "f");
   logs::ByteSource source(file.fd.get());
   Unpacked out;
   std::string some(777, '\0');

@@ -16,7 +16,11 @@ namespace
 {
 using namespace traverse;
 using namespace traverse::logs;
+using sandbox::ReaderJob;
+using sandbox::SharedProgress;
 using ::testing::HasSubstr;
+
+constexpr auto kScan = static_cast<uint32_t>(FrameType::scan);
 
 /** What the parent makes of a child that behaves like `job`. */
 LogReport reportOf(const ReaderJob& job, const ReadOptions& options = {})
@@ -136,20 +140,17 @@ TEST(LogSession, AChildThatEatsMemoryIsEnded)
 
 TEST(LogSession, NonsenseFromTheChildIsDamage)
 {
-  const LogReport magic =
-      reportOf([](int, int frames, SharedProgress&)
-               { send(frames, {.magic = 1, .type = FrameType::scan, .length = 0}); });
+  const LogReport magic = reportOf([](int, int frames, SharedProgress&)
+                                   { send(frames, {.magic = 1, .type = kScan, .length = 0}); });
   EXPECT_THAT(magic.damage, HasSubstr("nonsense"));
-  const LogReport length =
-      reportOf([](int, int frames, SharedProgress&)
-               { send(frames, {.type = FrameType::scan, .length = UINT64_MAX}); });
+  const LogReport length = reportOf([](int, int frames, SharedProgress&)
+                                    { send(frames, {.type = kScan, .length = UINT64_MAX}); });
   EXPECT_THAT(length.damage, HasSubstr("nonsense"));
   const LogReport type =
-      reportOf([](int, int frames, SharedProgress&)
-               { send(frames, {.type = static_cast<FrameType>(99), .length = 0}); });
+      reportOf([](int, int frames, SharedProgress&) { send(frames, {.type = 99, .length = 0}); });
   EXPECT_THAT(type.damage, HasSubstr("nonsense"));
   const LogReport empty = reportOf([](int, int frames, SharedProgress&)
-                                   { send(frames, {.type = FrameType::scan, .length = 0}); });
+                                   { send(frames, {.type = kScan, .length = 0}); });
   EXPECT_THAT(empty.damage, HasSubstr("nonsense"));
 }
 

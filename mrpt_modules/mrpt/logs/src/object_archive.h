@@ -3,7 +3,8 @@
 #pragma once
 
 #include "byte_source.h"
-#include "shared_progress.h"
+
+#include <traverse/sandbox/shared_progress.h>
 
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/serialization/CSerializable.h>
@@ -14,6 +15,8 @@
 
 namespace traverse::logs
 {
+using sandbox::SharedProgress;
+
 /** A log that goes on with something that is none; what() says what, without file and place. */
 class LogDamage : public std::runtime_error
 {

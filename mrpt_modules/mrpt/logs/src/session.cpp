@@ -23,22 +23,37 @@ Session::Session(
     const std::filesystem::path& file,
     const LogParams& params,
     const ReadOptions& options,
-    const ReaderJob& job) :
-    file_(file), options_(options), log_(openLog(file)), process_(log_.fd.get(), params, job)
+    const sandbox::ReaderJob& job) :
+    file_(file),
+    log_(sandbox::openInput(file)),
+    frames_(log_.fd.get(), {params.reader_memory_mb, params.reader_timeout_s}, job, options.stop)
 {
   report_.file_size = log_.size;
 }
 
 std::optional<Session::Product> Session::next()
 {
-  while (report_.end == LogEnd::reading && waitForFrame())
+  while (report_.end == LogEnd::reading)
   {
     try
     {
-      if (auto product = take(takeFrame()))
+      const auto frame = frames_.next();
+      if (!frame)
+      {
+        over(ended_well_ ? LogEnd::complete : LogEnd::damaged, "the reader ended too early");
+      }
+      else if (auto product = take(*frame))
       {
         return product;
       }
+    }
+    catch (const sandbox::ReaderStopped& e)
+    {
+      over(LogEnd::stopped, e.what());
+    }
+    catch (const sandbox::ReaderFailure& e)
+    {
+      over(LogEnd::damaged, e.what());
     }
     catch (const WireError& e)
     {
@@ -48,74 +63,10 @@ std::optional<Session::Product> Session::next()
   return std::nullopt;
 }
 
-bool Session::frameComplete() const
+std::optional<Session::Product> Session::take(const sandbox::Frame& frame)
 {
-  FrameHeader header;
-  const size_t there = received_.size() - used_;
-  if (there < sizeof(header))
-  {
-    return false;
-  }
-  std::memcpy(&header, received_.data() + used_, sizeof(header));
-  if (header.magic != FrameHeader::kMagic || header.length > FrameHeader::kLongest)
-  {
-    throw WireError("a frame without its mark, or of absurd length");
-  }
-  return there >= sizeof(header) + header.length;
-}
-
-Session::Frame Session::takeFrame()
-{
-  FrameHeader header;
-  std::memcpy(&header, received_.data() + used_, sizeof(header));
-  const uint8_t* payload = received_.data() + used_ + sizeof(header);
-  used_ += sizeof(header) + header.length;
-  return {header.type, {payload, static_cast<size_t>(header.length)}};
-}
-
-bool Session::waitForFrame()
-{
-  try
-  {
-    while (!frameComplete())
-    {
-      if (options_.stop != nullptr && *options_.stop)
-      {
-        over(LogEnd::stopped, "stopped on request");
-        return false;
-      }
-      const std::string misbehaviour = process_.misbehaviour();
-      if (!misbehaviour.empty())
-      {
-        over(LogEnd::damaged, misbehaviour);
-        return false;
-      }
-      received_.erase(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(used_));
-      used_ = 0;
-      process_.wait();
-      if (!process_.receive(received_))
-      {
-        const std::string how = process_.finish();
-        const bool well = ended_well_ && how.empty();
-        over(
-            well ? LogEnd::complete : LogEnd::damaged,
-            how.empty() ? "the reader ended too early" : how);
-        return false;
-      }
-    }
-  }
-  catch (const WireError& e)
-  {
-    over(LogEnd::damaged, fmt::format("the reader spoke nonsense: {}", e.what()));
-    return false;
-  }
-  return true;
-}
-
-std::optional<Session::Product> Session::take(const Frame& frame)
-{
-  report_.bytes_read = std::min<uint64_t>(process_.progress().offset, log_.size);
-  switch (frame.type)
+  report_.bytes_read = std::min<uint64_t>(frames_.progress().offset, log_.size);
+  switch (static_cast<FrameType>(frame.type))
   {
     case FrameType::scan:
       return readScan(frame.payload);
@@ -170,7 +121,7 @@ void Session::count(const CountFrame& count)
 
 std::string Session::place() const
 {
-  const SharedProgress& at = process_.progress();
+  const sandbox::SharedProgress& at = frames_.progress();
   const std::string type = at.typeText();
   return fmt::format(
       "at object {}{} near byte {} of {}", at.object.load() + 1,
@@ -180,7 +131,7 @@ std::string Session::place() const
 void Session::over(LogEnd end, const std::string& why)
 {
   report_.end = end;
-  report_.bytes_read = std::min<uint64_t>(process_.progress().offset, log_.size);
+  report_.bytes_read = std::min<uint64_t>(frames_.progress().offset, log_.size);
   switch (end)
   {
     case LogEnd::complete:
@@ -194,6 +145,6 @@ void Session::over(LogEnd end, const std::string& why)
       report_.damage = fmt::format("{}: {} {}", file_.string(), why, place());
       break;
   }
-  process_.finish();
+  frames_.finish();
 }
 }  // namespace traverse::logs

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "log_file.h"
-#include "reader_process.h"
 #include "sensor_census.h"
 #include "wire.h"
 
+#include <traverse/logs/log_params.h>
 #include <traverse/logs/log_report.h>
 
 #include <filesystem>
@@ -24,7 +23,7 @@ class Session
       const std::filesystem::path& file,
       const LogParams& params,
       const ReadOptions& options,
-      const ReaderJob& job);
+      const sandbox::ReaderJob& job);
 
   using Product = std::variant<points::Decoded, poses::StampedPose>;
 
@@ -34,28 +33,16 @@ class Session
   const LogReport& report() const { return report_; }
 
  private:
-  struct Frame
-  {
-    FrameType type = FrameType::end;
-    std::span<const uint8_t> payload;
-  };
-
-  bool frameComplete() const;
-  Frame takeFrame();
-  bool waitForFrame();
-  std::optional<Product> take(const Frame& frame);
+  std::optional<Product> take(const sandbox::Frame& frame);
   void count(const CountFrame& count);
   void over(LogEnd end, const std::string& why);
   std::string place() const;
 
   std::filesystem::path file_;
-  ReadOptions options_;
-  LogFile log_;
+  sandbox::InputFile log_;
   LogReport report_;
   SensorCensus census_;
-  ReaderProcess process_;
-  std::vector<uint8_t> received_;
-  size_t used_ = 0;
+  sandbox::FrameStream frames_;
   bool ended_well_ = false;
 };
 }  // namespace traverse::logs

@@ -4,15 +4,14 @@
 
 #include <traverse/points/decoded.h>
 #include <traverse/poses/pose_track.h>
+#include <traverse/sandbox/frame_stream.h>
 
 #include <cstring>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-// What the child says to the parent: frames of a header and a flat payload, in the machine's own
-// byte order (both ends are one program). The parent trusts none of it.
+// What the frames of a log's child hold (sandbox/frame_stream.h). The parent trusts none of it.
 namespace traverse::logs
 {
 enum class FrameType : uint32_t
@@ -26,20 +25,8 @@ enum class FrameType : uint32_t
   sighting = 7,
 };
 
-struct FrameHeader
-{
-  static constexpr uint32_t kMagic = 0x5456'4c46;
-  static constexpr uint64_t kLongest = uint64_t{1} << 30U;
-  uint32_t magic = kMagic;
-  FrameType type = FrameType::end;
-  uint64_t length = 0;  //!< of the payload
-};
-
-/** A frame that no child of ours would send. */
-class WireError : public std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
+using sandbox::FrameHeader;
+using sandbox::WireError;
 
 /** What is counted by class. */
 enum class Counted : uint8_t

@@ -24,7 +24,7 @@ void FrameWriter::put(const Eigen::Isometry3d& pose)
 size_t FrameWriter::begin(FrameType type)
 {
   const size_t start = bytes_.size();
-  put(FrameHeader{.type = type});
+  put(FrameHeader{.type = static_cast<uint32_t>(type)});
   return start;
 }
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <traverse/logs/sensor_times.h>
+#include <traverse/sandbox/input_file.h>
 
 #include <cstdint>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,10 +14,7 @@ namespace traverse::logs
 {
 /** A log that cannot be opened: missing, a directory, no plain file, empty, or not readable; says
  * the file and why. */
-class LogError : public std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
+using LogError = sandbox::InputError;
 
 /** How reading ended. */
 enum class LogEnd : uint8_t

@@ -4,11 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
-namespace traverse::logs
+namespace traverse::sandbox
 {
-/** A file descriptor that closes itself. */
+/** A file descriptor that closes itself; -1 is none. */
 class Fd
 {
  public:
@@ -38,13 +39,20 @@ class Fd
   int fd_ = -1;
 };
 
+/** A file that cannot be opened: missing, a directory, no plain file, empty, or not readable; says
+ * the file and why. */
+class InputError : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 /** A plain, readable file with something in it. */
-struct LogFile
+struct InputFile
 {
   Fd fd;
   uint64_t size = 0;
 };
 
-/** Throws LogError. */
-LogFile openLog(const std::filesystem::path& file);
-}  // namespace traverse::logs
+/** Throws InputError. */
+InputFile openInput(const std::filesystem::path& file);
+}  // namespace traverse::sandbox

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "log_file.h"
-
-#include <traverse/logs/log_report.h>
+#include <traverse/sandbox/input_file.h>
 
 #include <cerrno>
 #include <fcntl.h>
@@ -11,7 +9,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace traverse::logs
+namespace traverse::sandbox
 {
 void Fd::reset()
 {
@@ -22,18 +20,18 @@ void Fd::reset()
   }
 }
 
-LogFile openLog(const std::filesystem::path& file)
+InputFile openInput(const std::filesystem::path& file)
 {
   const auto fail = [&](const std::string& why)
-  { throw LogError(fmt::format("{}: {}", file.string(), why)); };
+  { throw InputError(fmt::format("{}: {}", file.string(), why)); };
   // Not blocking: a pipe without a writer would wait for ever.
-  LogFile log{Fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)), 0};
-  if (log.fd.get() < 0)
+  InputFile input{Fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)), 0};
+  if (input.fd.get() < 0)
   {
     fail(std::generic_category().message(errno));
   }
   struct stat status = {};
-  if (::fstat(log.fd.get(), &status) != 0)
+  if (::fstat(input.fd.get(), &status) != 0)
   {
     fail(std::generic_category().message(errno));
   }
@@ -49,7 +47,7 @@ LogFile openLog(const std::filesystem::path& file)
   {
     fail("is empty");
   }
-  log.size = static_cast<uint64_t>(status.st_size);
-  return log;
+  input.size = static_cast<uint64_t>(status.st_size);
+  return input;
 }
-}  // namespace traverse::logs
+}  // namespace traverse::sandbox

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reader_process.h"
-
 #include "sandbox.h"
 
 #include <array>
@@ -17,7 +15,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace traverse::logs
+namespace traverse::sandbox
 {
 namespace
 {
@@ -35,7 +33,7 @@ std::pair<Fd, Fd> makePipe()
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0)
   {
-    fail("no pipe for the log reader");
+    fail("no pipe for the reader");
   }
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
   fcntl(ends[1], F_SETPIPE_SZ, kPipeBytes);
@@ -44,16 +42,16 @@ std::pair<Fd, Fd> makePipe()
 
 [[noreturn]] void runChild(
     const ChildFiles& files,
-    const LogParams& params,
+    const ReaderLimits& limits,
     pid_t parent,
     const ReaderJob& job,
     SharedProgress& progress)
 {
-  const ChildFiles kept = enterSandbox(files, params, parent);
+  const ChildFiles kept = enterSandbox(files, limits, parent);
   int status = 1;
   try
   {
-    job(kept.log, kept.frames, progress);
+    job(kept.input, kept.frames, progress);
     status = 0;
   }
   catch (const std::exception& e)
@@ -69,20 +67,19 @@ void ReaderProcess::Unmap::operator()(SharedProgress* p) const
   munmap(p, sizeof(SharedProgress));
 }
 
-ReaderProcess::ReaderProcess(int log_fd, const LogParams& params, const ReaderJob& job) :
-    params_(params)
+ReaderProcess::ReaderProcess(int input_fd, const ReaderLimits& limits, const ReaderJob& job) :
+    limits_(limits)
 {
   void* page = mmap(
       nullptr, sizeof(SharedProgress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (page == MAP_FAILED)
   {
-    fail("no memory for the log reader");
+    fail("no memory for the reader");
   }
   progress_.reset(new (page) SharedProgress);
   auto [frames, frames_in] = makePipe();
   auto [talk, talk_in] = makePipe();
-  memory_limit_bytes_ =
-      residentMemory(getpid()) + (static_cast<uint64_t>(params.reader_memory_mb) << 20U);
+  memory_limit_bytes_ = residentMemory(getpid()) + (static_cast<uint64_t>(limits.memory_mb) << 20U);
   // No handler of ours may run in the child before it is rid of them.
   sigset_t all;
   sigset_t before;
@@ -92,14 +89,14 @@ ReaderProcess::ReaderProcess(int log_fd, const LogParams& params, const ReaderJo
   pid_ = fork();
   if (pid_ == 0)
   {
-    runChild({log_fd, frames_in.get(), talk_in.get()}, params, parent, job, *progress_);
+    runChild({input_fd, frames_in.get(), talk_in.get()}, limits, parent, job, *progress_);
   }
   const int error = errno;
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   if (pid_ < 0)
   {
     errno = error;
-    fail("no process for the log reader");
+    fail("no process for the reader");
   }
   frames_ = std::move(frames);
   talk_ = std::move(talk);
@@ -136,7 +133,7 @@ std::string ReaderProcess::misbehaviour()
 {
   if (residentMemory(pid_) > memory_limit_bytes_)
   {
-    return fmt::format("the reader took more than {} MiB of memory", params_.reader_memory_mb);
+    return fmt::format("the reader took more than {} MiB of memory", limits_.memory_mb);
   }
   const double cpu_s = processorTime(pid_);
   if (progress_->object != seen_object_ || received_ != seen_bytes_)
@@ -149,9 +146,9 @@ std::string ReaderProcess::misbehaviour()
   // One that uses no processor either waits for something that never comes; a busy machine and a
   // slow disk get four times as long.
   const double waited_s = waits_ * kWaitMs * 1e-3;
-  if (cpu_s - cpu_then_s_ > params_.reader_timeout_s || waited_s > 4 * params_.reader_timeout_s)
+  if (cpu_s - cpu_then_s_ > limits_.timeout_s || waited_s > 4 * limits_.timeout_s)
   {
-    return fmt::format("the reader made no progress in {} s", params_.reader_timeout_s);
+    return fmt::format("the reader made no progress in {} s", limits_.timeout_s);
   }
   return "";
 }
@@ -225,4 +222,4 @@ std::string ReaderProcess::finish()
   }
   return "";
 }
-}  // namespace traverse::logs
+}  // namespace traverse::sandbox

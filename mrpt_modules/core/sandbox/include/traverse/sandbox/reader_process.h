@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "log_file.h"
-#include "shared_progress.h"
-
-#include <traverse/logs/log_params.h>
+#include <traverse/sandbox/input_file.h>
+#include <traverse/sandbox/shared_progress.h>
 
 #include <functional>
 #include <memory>
@@ -13,20 +11,27 @@
 #include <sys/types.h>
 #include <vector>
 
-namespace traverse::logs
+namespace traverse::sandbox
 {
-/** What the child runs: reads the log, writes frames, returns when done. */
-using ReaderJob = std::function<void(int log_fd, int frames_fd, SharedProgress& progress)>;
+/** What a child may use. */
+struct ReaderLimits
+{
+  int memory_mb = 2048;     //!< beyond what the parent takes at the fork, MiB
+  double timeout_s = 30.0;  //!< processor time without progress, s
+};
 
-/** A child process (fork, no exec) that parses a log.
+/** What the child runs: reads the input, writes frames, returns when done. */
+using ReaderJob = std::function<void(int input_fd, int frames_fd, SharedProgress& progress)>;
+
+/** A child process (fork, no exec) that parses a file.
  *
- * It holds no file but the log and the pipes, may not write files, has a bounded memory, and dies
+ * It holds no file but its input and the pipes, may not write files, has a bounded memory, and dies
  * with the thread that made it. What it prints is kept for messages, not shown. */
 class ReaderProcess
 {
  public:
   /** Throws std::system_error where there is no process or pipe to be had. */
-  ReaderProcess(int log_fd, const LogParams& params, const ReaderJob& job);
+  ReaderProcess(int input_fd, const ReaderLimits& limits, const ReaderJob& job);
   ~ReaderProcess();
   ReaderProcess(const ReaderProcess&) = delete;
   ReaderProcess& operator=(const ReaderProcess&) = delete;
@@ -55,7 +60,7 @@ class ReaderProcess
   };
 
   std::unique_ptr<SharedProgress, Unmap> progress_;
-  LogParams params_;
+  ReaderLimits limits_;
   pid_t pid_ = -1;
   Fd frames_;
   Fd talk_;
@@ -68,4 +73,4 @@ class ReaderProcess
   int waits_ = 0;        // in vain, since the last progress
   bool closed_ = false;  // by the child
 };
-}  // namespace traverse::logs
+}  // namespace traverse::sandbox

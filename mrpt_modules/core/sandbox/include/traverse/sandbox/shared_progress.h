@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-namespace traverse::logs
+namespace traverse::sandbox
 {
 /** A page that the child writes and the parent reads at any time, also after the child's death.
  * Whatever stands there is a hint for messages, never trusted. */
@@ -40,4 +40,4 @@ struct SharedProgress
     return text;
   }
 };
-}  // namespace traverse::logs
+}  // namespace traverse::sandbox

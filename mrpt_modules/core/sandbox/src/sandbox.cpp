@@ -13,7 +13,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace traverse::logs
+namespace traverse::sandbox
 {
 namespace
 {
@@ -42,7 +42,7 @@ ChildFiles keepOnly(const ChildFiles& files)
 {
   // Out of the way first: the numbers wanted may be taken by one another.
   constexpr int kAside = 64;
-  const int log = fcntl(files.log, F_DUPFD, kAside);
+  const int input = fcntl(files.input, F_DUPFD, kAside);
   const int frames = fcntl(files.frames, F_DUPFD, kAside);
   const int talk = fcntl(files.talk, F_DUPFD, kAside);
   const int nothing = open("/dev/null", O_RDONLY);
@@ -50,7 +50,7 @@ ChildFiles keepOnly(const ChildFiles& files)
   dup2(talk, STDOUT_FILENO);
   dup2(talk, STDERR_FILENO);
   const ChildFiles kept = {3, 4, STDERR_FILENO};
-  dup2(log, kept.log);
+  dup2(input, kept.input);
   dup2(frames, kept.frames);
   close_range(5, std::numeric_limits<unsigned>::max(), 0);
   return kept;
@@ -72,7 +72,7 @@ std::string wordOf(const std::string& file, int n)
 }
 }  // namespace
 
-ChildFiles enterSandbox(const ChildFiles& files, const LogParams& params, pid_t parent)
+ChildFiles enterSandbox(const ChildFiles& files, const ReaderLimits& limits, pid_t parent)
 {
   resetSignals();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -84,9 +84,9 @@ ChildFiles enterSandbox(const ChildFiles& files, const LogParams& params, pid_t 
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);  // MRPT writes an external file that it does not find
 #ifndef TRAVERSE_SANITIZED
-  limit(RLIMIT_AS, addressSpace() + static_cast<uint64_t>(params.reader_memory_mb) * kMebi);
+  limit(RLIMIT_AS, addressSpace() + static_cast<uint64_t>(limits.memory_mb) * kMebi);
 #else
-  static_cast<void>(params);
+  static_cast<void>(limits);
 #endif
   return kept;
 }
@@ -109,4 +109,4 @@ double processorTime(pid_t pid)
   const double ticks = std::stod(wordOf(file, kUser)) + std::stod(wordOf(file, kUser + 1));
   return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
-}  // namespace traverse::logs
+}  // namespace traverse::sandbox
