@@ -30,7 +30,8 @@ std::string libraryOf(const std::string& include)
       {std::regex("^nanoflann.*"), "nanoflann"},
       {std::regex("^embree.*"), "Embree"},
       {std::regex("^ompl/.*"), "OMPL"},
-      {std::regex("^dlib/.*"), "dlib"}};
+      {std::regex("^dlib/.*"), "dlib"},
+      {std::regex("^(rosbag|ros|console_bridge)/.*"), "rosbag"}};
   for (const auto& [pattern, word] : kWords)
   {
     if (std::regex_match(include, pattern))
