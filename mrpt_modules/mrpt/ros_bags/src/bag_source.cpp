@@ -137,6 +137,13 @@ class BagSource : public importing::Source
     {
       notes_.damage(damage);
     }
+    if (reorder_.strange() > 0)
+    {
+      notes_.warn(fmt::format(
+          "{} observations have stamps further than reorder_s from their recording, and stand in "
+          "the order of that",
+          reorder_.strange()));
+    }
     if (reorder_.late() > 0)
     {
       notes_.warn(fmt::format(

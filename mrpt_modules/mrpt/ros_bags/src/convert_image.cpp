@@ -172,7 +172,8 @@ std::vector<Pending>::iterator colourFor(const Pending& depth, std::vector<Pendi
   for (auto it = group.begin(); it != group.end(); ++it)
   {
     const auto* image = dynamic_cast<CObservationImage*>(it->entry.observation.get());
-    const bool usable = image != nullptr && image->image.isColor() && image->cameraParams.fx() > 0;
+    const bool usable = image != nullptr && it->stamp_ns == depth.stamp_ns &&
+                        image->image.isColor() && image->cameraParams.fx() > 0;
     const std::pair<bool, size_t> fit(
         it->frame == depth.frame, commonPrefix(it->topic, depth.topic));
     // One character in common is only the leading slash.
