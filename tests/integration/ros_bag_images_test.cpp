@@ -8,7 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <support/ros_bag.h>
+#include <tuple>
 
 namespace
 {
@@ -88,24 +90,28 @@ TEST(RosBagImages, TakeTheCalibrationBesideThem)
 
 TEST(RosBagImages, OfDepthSeePointsAheadOfTheVehicle)
 {
-  for (const auto& [encoding, pixel] : std::vector<std::pair<std::string, std::string>>{
-           {"16UC1", std::string("\xd0\x07", 2)}, {"32FC1", floatPixel(2)}})
+  const std::vector<std::tuple<std::string, std::string, std::string>> encodings = {
+      {"16UC1", std::string("\xd0\x07", 2), std::string("\xa0\x0f", 2)},
+      {"32FC1", floatPixel(2), floatPixel(4)}};
+  for (const auto& [encoding, two_m, four_m] : encodings)
   {
     BagFile bag;
     bag.writeTf(opticalFrame("depth"));
     bag.write("/cam/camera_info", 0, rosCamera("depth"));
-    bag.write("/cam/image_rect_raw", 0, rosImage(0, "depth", encoding, pixel));
+    auto image = rosImage(0, "depth", encoding, two_m);
+    std::copy(four_m.begin(), four_m.end(), image.data.begin());
+    bag.write("/cam/image_rect_raw", 0, image);
     const auto depth = observationOf<CObservation3DRangeScan>(readBag(bag));
     const auto scan = observations::toScan(*depth, {}).decoded.scan;
     ASSERT_EQ(scan.size(), 32U * 24U) << encoding;
-    for (size_t i = 0; i < scan.size(); ++i)
-    {
-      // 2^-40 of rotations, and floats.
-      EXPECT_NEAR(scan.x[i], 2, 1e-5) << encoding;
-    }
+    const auto far = std::max_element(scan.x.begin(), scan.x.end());
+    const auto i = static_cast<size_t>(far - scan.x.begin());
+    // Rotations are rounded to 2^-40, points are floats.
+    EXPECT_NEAR(scan.x[i], 4, 1e-5) << encoding;
+    EXPECT_NEAR(*std::min_element(scan.x.begin(), scan.x.end()), 2, 1e-5) << encoding;
     // The first pixel is up and to the left: 15 and 11 pixels from the principal point of P.
-    EXPECT_NEAR(scan.y[0], 2 * 15 / 29.0, 1e-5);
-    EXPECT_NEAR(scan.z[0], 1 + 2 * 11 / 28.0, 1e-5);
+    EXPECT_NEAR(scan.y[i], 4 * 15 / 29.0, 1e-5);
+    EXPECT_NEAR(scan.z[i], 1 + 4 * 11 / 28.0, 1e-5);
   }
 }
 
