@@ -63,6 +63,22 @@ TEST(RosBagDamage, WithinAChunkLosesThatChunkOnly)
   EXPECT_LT(r.entries.size(), 60U);
 }
 
+TEST(RosBagDamage, OfTransformsIsToldToo)
+{
+  BagFile bag(rosbag::compression::BZ2, 1);
+  bag.writeTf(rosTransform(0, "base_link", "laser", 2, 0));
+  bag.write("/scan", 1, rosLaser(1, 5));
+  std::string bytes = bag.bytes();
+  const size_t at = bytes.find("BZh");
+  ASSERT_NE(at, std::string::npos);
+  std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at) + 20, 40, '\x55');
+  const ScratchFolder dir;
+  writeText(dir / "damaged.bag", bytes);
+  const BagReading r = readBag(dir / "damaged.bag");
+  EXPECT_THAT(r.entries, SizeIs(1));
+  EXPECT_THAT(r.report.damage, Contains(HasSubstr("/tf_static: a message of the bag")));
+}
+
 TEST(RosBagDamage, OfAnyKindNeitherCrashesNorSwellsThisProcess)
 {
   DamagedBags plain = readMutations(rosbag::compression::Uncompressed, 1, 30);

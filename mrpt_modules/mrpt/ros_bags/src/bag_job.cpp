@@ -68,7 +68,7 @@ void handle(
   {
     why = "it needs more memory than reader_memory_mb";
   }
-  send(frames_fd, BagUnreadable{message.getTopic(), why});
+  send(frames_fd, BagUnreadable{message.getTopic(), message.getDataType(), why});
 }
 
 void readAll(

@@ -40,6 +40,7 @@ struct Put
   void operator()(const BagUnreadable& news) const
   {
     out.str(shortened(news.topic));
+    out.str(shortened(news.type));
     out.str(shortened(news.why));
   }
 
@@ -75,7 +76,8 @@ BagNews readPayload(formats::ByteReader& in, uint32_t type)
     case 3:
     {
       std::string topic = in.str(kLongestText);
-      return BagUnreadable{std::move(topic), in.str(kLongestText)};
+      std::string type = in.str(kLongestText);
+      return BagUnreadable{std::move(topic), std::move(type), in.str(kLongestText)};
     }
     case 4:
       return BagFailed{in.str(kLongestText)};

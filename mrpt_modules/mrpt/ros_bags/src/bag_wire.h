@@ -35,7 +35,7 @@ struct BagSkipped
 /** A message that could not be read. */
 struct BagUnreadable
 {
-  std::string topic, why;
+  std::string topic, type, why;
 };
 
 /** The bag could not be opened, or not read to its end. */

@@ -37,6 +37,16 @@ class Collector
     }
   }
 
+  /** Only of transforms, which the second pass does not read. */
+  void take(const BagUnreadable& message)
+  {
+    const KnownType* known = knownType(message.type);
+    if (known != nullptr && known->kind == MessageKind::transforms)
+    {
+      notes_.damage(message.topic + ": a message of the bag: " + message.why);
+    }
+  }
+
   Preview finish(const BagParams& params)
   {
     preview_.base = params.base_frame.empty() ? likelyBase(preview_.tree) : params.base_frame;
@@ -127,10 +137,14 @@ Preview readPreview(
     {
       collector.take(*message);
     }
+    else if (const auto* unreadable = std::get_if<BagUnreadable>(&*news))
+    {
+      collector.take(*unreadable);
+    }
   }
-  if (!stream.damage().empty())
+  for (const std::string& damage : stream.damage())
   {
-    notes.warn("transforms and calibrations may be incomplete: " + stream.damage().front());
+    notes.damage("transforms and calibrations: " + damage);
   }
   return collector.finish(params);
 }
