@@ -10,6 +10,7 @@
 #include <traverse/logs/log_reader.h>
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <future>
 
 namespace traverse::app
@@ -86,6 +87,24 @@ void noteWhole(const logs::LogReport& report, PieceMetrics& piece)
   }
 }
 
+/** Clouds whose rings and times are lost are mapped without them. */
+void noteChannels(const logs::LogReport& report, RunMetrics& metrics)
+{
+  if (!report.channels_damage.empty())
+  {
+    metrics.complete = false;
+    metrics.warnings.push_back("rings and times of points: " + report.channels_damage);
+  }
+  for (const auto& [what, clouds] : report.channels)
+  {
+    if (what.rfind("the side file's", 0) == 0)
+    {
+      metrics.warnings.push_back(
+          fmt::format("{} clouds without ring and time of points: {}", clouds, what));
+    }
+  }
+}
+
 void takeReport(const logs::LogReport& report, RunMetrics& metrics)
 {
   metrics.objects = report.objects;
@@ -96,6 +115,7 @@ void takeReport(const logs::LogReport& report, RunMetrics& metrics)
   metrics.backward_stamps = report.backward_stamps;
   metrics.bad_stamps = report.bad_stamps;
   metrics.sensors = report.sensors;
+  noteChannels(report, metrics);
   if (metrics.piece)
   {
     noteWhole(report, *metrics.piece);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_channels.h"
 #include "reader_job.h"
 
 #include <traverse/observations/convert.h>
@@ -62,8 +63,15 @@ class ScanListener : public FrameListener
 {
  public:
   ScanListener(FramePipe& pipe, const JobSettings& settings) :
-      FrameListener(pipe), settings_(settings), image_folder_(imageFolder(settings))
+      FrameListener(pipe),
+      settings_(settings),
+      image_folder_(imageFolder(settings)),
+      channels_(settings.log)
   {
+    if (!channels_.damage().empty())
+    {
+      count(Counted::channels_damage, "", channels_.damage());
+    }
     mute(settings_.entries.first > 0);
   }
 
@@ -179,6 +187,11 @@ class ScanListener : public FrameListener
     {
       const Last now = {result.decoded.scan.stamp, hashOf(result.decoded)};
       last_[key] = now;
+      const std::string channels = channels_.attach(*observation, result.decoded.scan);
+      if (!channels.empty())
+      {
+        count(Counted::channels, type, channels);
+      }
       take(type, result.decoded, now.stamp == before.stamp && now.hash == before.hash);
     }
   }
@@ -220,6 +233,7 @@ class ScanListener : public FrameListener
 
   JobSettings settings_;
   std::filesystem::path image_folder_;
+  CloudChannels channels_;
   std::map<std::string, Last> last_;  // by keyOf()
   std::map<std::string, points::SweepCollector> sweeps_;
   std::map<std::string, mrpt::obs::CObservation::Ptr> waiting_;  // by keyOf()

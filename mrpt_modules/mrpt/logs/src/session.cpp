@@ -116,6 +116,12 @@ void Session::count(const CountFrame& count)
     case Counted::bad_stamp:
       ++report_.bad_stamps;
       break;
+    case Counted::channels:
+      countKey(report_.channels, count.reason);
+      break;
+    case Counted::channels_damage:
+      report_.channels_damage = printable(count.reason);
+      break;
   }
 }
 

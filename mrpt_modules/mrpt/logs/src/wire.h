@@ -37,6 +37,8 @@ enum class Counted : uint8_t
   repeated_stamp,
   backward_stamp,
   bad_stamp,
+  channels,         //!< `reason`: what became of a cloud's ring and time
+  channels_damage,  //!< `reason`: what is wrong with the file of them
 };
 
 struct CountFrame

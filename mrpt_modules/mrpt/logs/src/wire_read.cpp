@@ -183,7 +183,7 @@ CountFrame readCount(std::span<const uint8_t> bytes)
   Payload payload(bytes);
   CountFrame count;
   const auto what = payload.take<uint8_t>();
-  if (what > static_cast<uint8_t>(Counted::bad_stamp))
+  if (what > static_cast<uint8_t>(Counted::channels_damage))
   {
     throw WireError("an unknown thing was counted");
   }

@@ -39,7 +39,11 @@ struct LogReport
   uint64_t backward_stamps = 0;  //!< a stamp before its predecessor's (delivered all the same)
   uint64_t bad_stamps = 0;       //!< no clock's: before 1980, after 2100, or none
   std::vector<SensorTimes> sensors;  //!< LogReader only: every observation that was passed
-  uint64_t bytes_read = 0;           //!< of the file, as it is stored
+  /** Clouds by what became of their rings and times ("attached", ...), where the log has a file of
+   * such beside it (formats/point_channels.h). */
+  std::map<std::string, uint64_t> channels;
+  std::string channels_damage;  //!< what is wrong with that file; empty where nothing is
+  uint64_t bytes_read = 0;      //!< of the file, as it is stored
   uint64_t file_size = 0;
 
   bool complete() const { return end == LogEnd::complete; }
