@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/formats/gzip.h>
+#include <traverse/formats/safe_file.h>
+#include <traverse/formats/streamed_file.h>
+#include <traverse/importing/log_writer.h>
+#include <traverse/observations/convert.h>
+
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/maps/CPointsMap.h>
+#include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <optional>
+
+namespace traverse::importing
+{
+namespace
+{
+/** In memory: MRPT's file streams hide a full disk. */
+std::string serialised(const mrpt::obs::CObservation& observation)
+{
+  mrpt::io::CMemoryStream stream;
+  mrpt::serialization::archiveFrom(stream) << observation;
+  return {
+      static_cast<const char*>(stream.getRawBufferData()),
+      static_cast<size_t>(stream.getTotalBytesCount())};
+}
+
+formats::CloudKey keyOf(const mrpt::obs::CObservationPointCloud& cloud)
+{
+  const auto& x = cloud.pointcloud->getPointsBufferRef_x();
+  const auto& y = cloud.pointcloud->getPointsBufferRef_y();
+  const auto& z = cloud.pointcloud->getPointsBufferRef_z();
+  return {
+      cloud.sensorLabel, observations::toTime(cloud.timestamp).value_or(0),
+      static_cast<uint32_t>(x.size()),
+      formats::cloudChecksum({x.data(), x.size()}, {y.data(), y.size()}, {z.data(), z.size()})};
+}
+
+const std::filesystem::path& checkTarget(const std::filesystem::path& log, bool replace)
+{
+  if (!replace && std::filesystem::exists(std::filesystem::symlink_status(log)))
+  {
+    throw formats::FileError(log, "is there already; --force replaces it");
+  }
+  return log;
+}
+}  // namespace
+
+struct LogWriter::State
+{
+  State(const std::filesystem::path& path, bool replace) :
+      log(checkTarget(path, replace)), file(path)
+  {
+  }
+
+  std::filesystem::path log;
+  formats::StreamedFile file;
+  formats::GzipStream gzip;
+  std::optional<formats::ChannelsWriter> channels;
+};
+
+LogWriter::LogWriter(const std::filesystem::path& log, bool replace) :
+    state_(std::make_unique<State>(log, replace))
+{
+}
+
+LogWriter::~LogWriter() = default;
+
+void LogWriter::add(const Entry& entry)
+{
+  const auto* cloud =
+      dynamic_cast<const mrpt::obs::CObservationPointCloud*>(entry.observation.get());
+  if (cloud != nullptr && cloud->pointcloud && !entry.channels.empty())
+  {
+    if (!state_->channels)
+    {
+      state_->channels.emplace(state_->log);
+    }
+    state_->channels->add(keyOf(*cloud), entry.channels);
+  }
+  state_->file.write(state_->gzip.add(serialised(*entry.observation)));
+}
+
+bool LogWriter::hasChannels() const
+{
+  return state_->channels && state_->channels->clouds() > 0;
+}
+
+void LogWriter::commit()
+{
+  state_->file.write(state_->gzip.finish());
+  state_->file.finish();
+  if (hasChannels())
+  {
+    // First: a log must not stand without them. Beside an old log they do no harm, as they carry
+    // their clouds' check sums.
+    state_->channels->finish();
+    state_->channels->commit();
+  }
+  state_->file.commit();
+  if (!hasChannels())
+  {
+    std::error_code ignored;
+    std::filesystem::remove(formats::channelsFileOf(state_->log), ignored);
+  }
+}
+}  // namespace traverse::importing
