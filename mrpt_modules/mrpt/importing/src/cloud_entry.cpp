@@ -63,8 +63,7 @@ double intensityScale(const formats::CloudFile& cloud)
   return largest <= 255 ? 1.0 / 255 : 1.0 / 65535;
 }
 
-Entry cloudEntry(
-    const formats::CloudFile& cloud, const SensorAt& sensor, const CloudFrame& frame)
+Entry cloudEntry(const formats::CloudFile& cloud, const SensorAt& sensor, const CloudFrame& frame)
 {
   const auto map = makeMap(cloud);
   map->reserve(cloud.size());

@@ -33,8 +33,8 @@ struct CloudFrame
 /** What takes intensities to 0..1, by the largest of a cloud: fractions, bytes or 16 bits. */
 double intensityScale(const formats::CloudFile& cloud);
 
-/** CObservationPointCloud with intensities (CPointsMapXYZI), or colours (CColouredPointsMap). Points
- * that are not finite are left out, with their channels. */
+/** CObservationPointCloud with intensities (CPointsMapXYZI), or colours (CColouredPointsMap).
+ * Points that are not finite are left out, with their channels. */
 Entry cloudEntry(
     const formats::CloudFile& cloud, const SensorAt& sensor, const CloudFrame& frame = {});
 
@@ -52,8 +52,7 @@ struct Camera
 
 /** CObservationImage, stored inside; T_base_sensor has the camera's z forward and y down. Throws
  * ImportError where the picture cannot be read, or is too large to be one. */
-Entry imageEntry(
-    const std::filesystem::path& file, const SensorAt& sensor, const Camera& camera);
+Entry imageEntry(const std::filesystem::path& file, const SensorAt& sensor, const Camera& camera);
 
 /** Pictures of an RGB-D camera. */
 struct DepthFrame

@@ -31,10 +31,7 @@ void addDamage(const std::string& what, ImportReport& report)
 
 PlannedSource::PlannedSource(
     std::vector<Step> steps, ImportReport report, const ImportParams& params) :
-    steps_(std::move(steps)),
-    report_(std::move(report)),
-    from_s_(params.from_s),
-    to_s_(params.to_s)
+    steps_(std::move(steps)), report_(std::move(report)), from_s_(params.from_s), to_s_(params.to_s)
 {
   if (steps_.empty())
   {

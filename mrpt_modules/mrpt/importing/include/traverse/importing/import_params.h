@@ -23,10 +23,10 @@ struct ImportParams
   std::filesystem::path input;
   std::string sensor_label;                        //!< of the range sensor; empty: the format's own
   std::optional<Eigen::Isometry3d> T_base_sensor;  //!< of that sensor; none: the format's own
-  double rate_hz = 10;  //!< of clouds and images that have no stamps
-  poses::TimeNs start = kNoClockStart;  //!< of a recording without a clock
-  double from_s = 0;                    //!< seconds after the first observation, included
+  double rate_hz = 10;                             //!< of clouds and images that have no stamps
+  poses::TimeNs start = kNoClockStart;             //!< of a recording without a clock
+  double from_s = 0;  //!< seconds after the first observation, included
   double to_s = std::numeric_limits<double>::infinity();  //!< likewise, not included
-  std::optional<std::array<double, 4>> camera;  //!< fx fy cx cy of RGB-D images, pixels
+  std::optional<std::array<double, 4>> camera;            //!< fx fy cx cy of RGB-D images, pixels
 };
 }  // namespace traverse::importing
