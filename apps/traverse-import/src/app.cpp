@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.h"
+#include "summary.h"
+
+#include <traverse/common_app/interrupt.h>
+#include <traverse/common_app/progress.h>
+#include <traverse/formats/bytes.h>
+#include <traverse/formats/safe_file.h>
+#include <traverse/import_app/app.h>
+#include <traverse/importing/format.h>
+#include <traverse/importing/log_writer.h>
+
+#include <fmt/format.h>
+#include <iostream>
+
+namespace traverse::app
+{
+namespace
+{
+using importing::ImportError;
+
+void tell(const std::string& kind, const std::string& message)
+{
+  fmt::print(stderr, "traverse-import: {}: {}\n", kind, printable(message));
+}
+
+const importing::Format& formatOf(const ImportCommand& command)
+{
+  const std::filesystem::path& input = command.params.input;
+  if (!std::filesystem::exists(input))
+  {
+    throw ImportError(input.string() + ": no such file or folder");
+  }
+  const importing::Format* format = command.format == "auto"
+                                        ? importing::recogniseFormat(input)
+                                        : importing::findFormat(command.format);
+  if (format == nullptr)
+  {
+    throw ImportError(input.string() + ": is of no layout that is known; --format names one");
+  }
+  if (command.format == "auto" && !command.quiet)
+  {
+    tell("format", fmt::format("{} ({})", format->name, format->what));
+  }
+  return *format;
+}
+
+/** Everything, or what came before an interruption. Returns the number of observations. */
+uint64_t copyAll(importing::Source& source, importing::LogWriter& log, bool quiet)
+{
+  Progress progress("importing", "observations", quiet);
+  uint64_t count = 0;
+  while (!Interrupt::flag())
+  {
+    const std::optional<importing::Entry> entry = source.next();
+    if (!entry)
+    {
+      break;
+    }
+    log.add(*entry);
+    progress.show(source.progress(), ++count);
+  }
+  progress.finish(count);
+  return count;
+}
+
+ExitCode importIt(const ImportCommand& command)
+{
+  const Interrupt interrupt;
+  const auto source = formatOf(command).open(command.params);
+  importing::LogWriter log(command.output, command.force);
+  const uint64_t count = copyAll(*source, log, command.quiet);
+  tellProblems(source->report());
+  if (count == 0)
+  {
+    tell("input", command.params.input.string() + ": nothing in it could be imported");
+    return Interrupt::exitCode().value_or(ExitCode::unreadable);
+  }
+  log.commit();
+  std::cout << command.output.string() << "\n" << summaryOf(source->report());
+  if (log.hasChannels())
+  {
+    std::cout << "rings and times of points: " << formats::channelsFileOf(command.output).string()
+              << "\n";
+  }
+  const ExitCode verdict = source->report().damage.empty() ? ExitCode::done : ExitCode::partial;
+  return Interrupt::exitCode().value_or(verdict);
+}
+
+/** A log must not replace what it is made of. */
+bool isItsOwnInput(const ImportCommand& command)
+{
+  std::error_code failed;
+  return std::filesystem::equivalent(command.params.input, command.output, failed);
+}
+}  // namespace
+
+ExitCode runImportApp(int argc, const char* const* argv)
+{
+  try
+  {
+    const ParsedImport parsed = parseImportCommand(argc, argv);
+    if (!parsed.command)
+    {
+      return parsed.exit_code;
+    }
+    if (isItsOwnInput(*parsed.command))
+    {
+      tell("error", "--output is the input itself");
+      return ExitCode::usage;
+    }
+    return importIt(*parsed.command);
+  }
+  catch (const ImportError& e)
+  {
+    tell("input", e.what());
+    return ExitCode::unreadable;
+  }
+  catch (const formats::FormatError& e)
+  {
+    tell("input", e.what());
+    return ExitCode::unreadable;
+  }
+  catch (const formats::FileError& e)
+  {
+    tell("file", e.what());
+    return ExitCode::internal;
+  }
+  catch (const std::exception& e)
+  {
+    tell("internal error", e.what());
+    return ExitCode::internal;
+  }
+}
+}  // namespace traverse::app

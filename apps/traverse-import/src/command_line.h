@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/common_app/exit_code.h>
+#include <traverse/importing/import_params.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace traverse::app
+{
+/** What the user asked for. */
+struct ImportCommand
+{
+  importing::ImportParams params;
+  std::filesystem::path output;
+  std::string format = "auto";
+  bool force = false;
+  bool quiet = false;
+};
+
+/** A command, or none and how to exit. */
+struct ParsedImport
+{
+  std::optional<ImportCommand> command;
+  ExitCode exit_code = ExitCode::done;
+};
+
+ParsedImport parseImportCommand(int argc, const char* const* argv);
+}  // namespace traverse::app
