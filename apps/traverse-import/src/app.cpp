@@ -46,6 +46,19 @@ const importing::Format& formatOf(const ImportCommand& command)
   return *format;
 }
 
+/** Files that cannot be read are here a fault of the input. */
+std::unique_ptr<importing::Source> openSource(const ImportCommand& command)
+{
+  try
+  {
+    return formatOf(command).open(command.params);
+  }
+  catch (const formats::FileError& e)
+  {
+    throw ImportError(e.what());
+  }
+}
+
 /** Everything, or what came before an interruption. Returns the number of observations. */
 uint64_t copyAll(importing::Source& source, importing::LogWriter& log, bool quiet)
 {
@@ -68,7 +81,7 @@ uint64_t copyAll(importing::Source& source, importing::LogWriter& log, bool quie
 ExitCode importIt(const ImportCommand& command)
 {
   const Interrupt interrupt;
-  const auto source = formatOf(command).open(command.params);
+  const auto source = openSource(command);
   importing::LogWriter log(command.output, command.force);
   const uint64_t count = copyAll(*source, log, command.quiet);
   tellProblems(source->report());

@@ -22,8 +22,6 @@ struct Common
   Eigen::Isometry3d T_base_sensor = Eigen::Isometry3d::Identity();
   CloudFrame frame;
   bool own_clock = false;
-  poses::TimeNs start = 0;
-  double rate_hz = 10;
 };
 
 std::vector<fs::path> cloudFiles(const fs::path& input)
@@ -77,8 +75,6 @@ Common commonOf(
 {
   Common common;
   common.label = params.sensor_label.empty() ? "LIDAR" : params.sensor_label;
-  common.start = params.start;
-  common.rate_hz = params.rate_hz;
   const auto first = firstCloud(files);
   if (!first)
   {
@@ -100,16 +96,29 @@ Common commonOf(
   return common;
 }
 
-/** The name's time, or the cloud's own, or what the rate makes. */
-Entry loadCloud(
-    const fs::path& file, const Common& common, std::optional<poses::TimeNs> stamp, size_t number)
+poses::TimeNs timeByRate(const ImportParams& params, size_t number)
 {
-  const formats::CloudFile cloud = formats::readCloud(file);
-  const poses::TimeNs by_rate =
-      common.start + std::llround(static_cast<double>(number) / common.rate_hz * 1e9);
-  const poses::TimeNs own = cloud.stamp_ns.value_or(by_rate);
-  const SensorAt sensor = {common.label, common.T_base_sensor, stamp.value_or(own)};
-  return cloudEntry(cloud, sensor, common.frame);
+  return params.start + std::llround(static_cast<double>(number) / params.rate_hz * 1e9);
+}
+
+/** The name's time, or the cloud's own (for which it is read once more: a log is in the order of
+ * time), or what the rate makes. Nothing for a cloud that cannot be read. */
+std::optional<poses::TimeNs> timeOf(
+    const fs::path& file, size_t number, bool own_clock, const ImportParams& params)
+{
+  const auto named = stampInName(stemOf(file));
+  if (named || !own_clock)
+  {
+    return named.value_or(timeByRate(params, number));
+  }
+  try
+  {
+    return formats::readCloud(file).stamp_ns.value_or(timeByRate(params, number));
+  }
+  catch (const std::exception&)
+  {
+    return std::nullopt;
+  }
 }
 }  // namespace
 
@@ -126,21 +135,23 @@ std::unique_ptr<Source> openClouds(const ImportParams& params)
   ImportReport report;
   const Common common = commonOf(params, files, report);
   std::vector<Step> steps;
-  size_t named = 0;
+  steps.reserve(files.size());
+  bool any_named = false;
   for (size_t i = 0; i < files.size(); ++i)
   {
-    auto stamp = stampInName(stemOf(files[i]));
-    named += stamp ? 1 : 0;
-    const bool by_rate = !stamp && !common.own_clock;
-    const auto planned =
-        by_rate ? std::optional<poses::TimeNs>(
-                      params.start + std::llround(static_cast<double>(i) / params.rate_hz * 1e9))
-                : stamp;
-    steps.push_back({planned, [file = files[i], common, planned, i] {
-                       return loadCloud(file, common, planned, i);
-                     }});
+    any_named = any_named || stampInName(stemOf(files[i]));
+    const auto stamp = timeOf(files[i], i, common.own_clock, params);
+    if (!stamp)
+    {
+      addDamage(files[i].string() + ": cannot be read", report);
+      continue;
+    }
+    const SensorAt sensor = {common.label, common.T_base_sensor, *stamp};
+    steps.push_back(
+        {stamp, [file = files[i], sensor, frame = common.frame]
+         { return cloudEntry(formats::readCloud(file), sensor, frame); }});
   }
-  if (named == 0 && !common.own_clock)
+  if (!any_named && !common.own_clock)
   {
     report.warnings.push_back(fmt::format(
         "the clouds have no clock: {} per second from --start-time are assumed", params.rate_hz));

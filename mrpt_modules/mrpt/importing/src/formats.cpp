@@ -13,6 +13,8 @@ std::span<const Format> allFormats()
 {
   static const std::array kAll = {
       Format{"kitti-odometry", "a sequence of KITTI odometry", isKittiOdometry, openKittiOdometry},
+      Format{"kitti-raw", "a drive of KITTI raw data", isKittiRaw, openKittiRaw},
+      Format{"argoverse2", "an Argoverse 2 log as CSV", isArgoverse2, openArgoverse2},
       Format{"clouds", "PCD, PLY, KITTI .bin or CSV clouds", isClouds, openClouds},
   };
   return kAll;
