@@ -147,9 +147,9 @@ std::unique_ptr<Source> openClouds(const ImportParams& params)
       continue;
     }
     const SensorAt sensor = {common.label, common.T_base_sensor, *stamp};
-    steps.push_back(
-        {stamp, [file = files[i], sensor, frame = common.frame]
-         { return cloudEntry(formats::readCloud(file), sensor, frame); }});
+    steps.push_back({stamp, [file = files[i], sensor, frame = common.frame] {
+                       return cloudEntry(formats::readCloud(file), sensor, frame);
+                     }});
   }
   if (!any_named && !common.own_clock)
   {
