@@ -4,3 +4,10 @@
 traverse_test(unit point_channels_test USES formats)
 traverse_test(unit cloud_file_test USES formats)
 traverse_test(integration log_channels_test USES logs)
+# traverse-import as a user runs it.
+traverse_test(integration traverse_import_test USES logs LIBS nlohmann_json::nlohmann_json)
+target_sources(integration_traverse_import_test PRIVATE support/process.cpp)
+add_dependencies(integration_traverse_import_test traverse-import traverse-map)
+traverse_test(integration traverse_import_errors_test USES logs importing)
+target_sources(integration_traverse_import_errors_test PRIVATE support/process.cpp)
+add_dependencies(integration_traverse_import_errors_test traverse-import)

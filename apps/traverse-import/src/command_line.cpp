@@ -109,7 +109,7 @@ void declareSensor(CLI::App& cli, importing::ImportParams& params)
 
 void declareTimes(CLI::App& cli, importing::ImportParams& params)
 {
-  cli.add_option("--rate-hz", params.rate_hz, "of clouds and images without stamps (10)")
+  cli.add_option("--rate-hz", params.rate_hz, "of clouds and images without stamps (10; 7-scenes 30)")
       ->check(CLI::Range(0.001, 1e6));
   cli.add_option_function<std::string>(
          "--start-time", [&](const std::string& text) { params.start = startTime(text); },

@@ -98,7 +98,7 @@ Common commonOf(
 
 poses::TimeNs timeByRate(const ImportParams& params, size_t number)
 {
-  return params.start + std::llround(static_cast<double>(number) / params.rate_hz * 1e9);
+  return params.start + std::llround(static_cast<double>(number) / params.rateOr(10) * 1e9);
 }
 
 /** The name's time, or the cloud's own (for which it is read once more: a log is in the order of
@@ -154,7 +154,8 @@ std::unique_ptr<Source> openClouds(const ImportParams& params)
   if (!any_named && !common.own_clock)
   {
     report.warnings.push_back(fmt::format(
-        "the clouds have no clock: {} per second from --start-time are assumed", params.rate_hz));
+        "the clouds have no clock: {} per second from --start-time are assumed",
+        params.rateOr(10)));
   }
   return std::make_unique<PlannedSource>(std::move(steps), std::move(report), params);
 }

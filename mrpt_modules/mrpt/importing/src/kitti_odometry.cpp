@@ -43,7 +43,7 @@ void readTimes(const ImportParams& params, Sequence& sequence, ImportReport& rep
   if (!file)
   {
     report.warnings.push_back(
-        fmt::format("no times.txt: {} frames per second are assumed", params.rate_hz));
+        fmt::format("no times.txt: {} frames per second are assumed", params.rateOr(10)));
     return;
   }
   for (const double t_s : numbersOf(textOf(*file)))
@@ -211,7 +211,7 @@ std::unique_ptr<Source> openKittiOdometry(const ImportParams& params)
   sequence.folder = params.input;
   sequence.label = params.sensor_label.empty() ? "VELODYNE" : params.sensor_label;
   sequence.start = params.start;
-  sequence.rate_hz = params.rate_hz;
+  sequence.rate_hz = params.rateOr(10);
   sequence.T_base_lidar = kittiLidarPose(params, report);
   readTimes(params, sequence, report);
   readCalibration(params, sequence, report);

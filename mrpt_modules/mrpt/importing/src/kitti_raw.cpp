@@ -84,7 +84,7 @@ class FrameTimes
 {
  public:
   FrameTimes(const fs::path& sensor, const ImportParams& params) :
-      start_(params.start), rate_hz_(params.rate_hz)
+      start_(params.start), rate_hz_(params.rateOr(10))
   {
     if (const auto file = plainOrGz(sensor / "timestamps.txt"))
     {
@@ -136,7 +136,7 @@ void addClouds(const Drive& drive, std::vector<Step>& steps, ImportReport& repor
   {
     report.warnings.push_back(fmt::format(
         "no timestamps of the lidar: {} frames per second from --start-time are assumed",
-        drive.params.rate_hz));
+        drive.params.rateOr(10)));
   }
   const auto files = filesOf(drive.data("velodyne_points"), {".bin"});
   const std::string label =

@@ -92,14 +92,14 @@ std::unique_ptr<Source> openSevenScenes(const ImportParams& params)
   const RgbdRig rig = rgbdRig(params, cameraOf(params.input));
   report.warnings.push_back(fmt::format(
       "the recording has no clock: frames at {} per second from --start-time are assumed",
-      params.rate_hz));
+      params.rateOr(30)));
   std::vector<Step> steps;
   const auto files = filesOf(params.input, {".depth.png"});
   for (size_t i = 0; i < files.size(); ++i)
   {
     const std::string frame = frameName(files[i]);
     const auto number = static_cast<double>(numberOf(frame, i));
-    const poses::TimeNs stamp = params.start + std::llround(number / params.rate_hz * 1e9);
+    const poses::TimeNs stamp = params.start + std::llround(number / params.rateOr(30) * 1e9);
     const fs::path pose = params.input / (frame + ".pose.txt");
     if (fs::exists(pose))
     {

@@ -23,10 +23,12 @@ struct ImportParams
   std::filesystem::path input;
   std::string sensor_label;                        //!< of the range sensor; empty: the format's own
   std::optional<Eigen::Isometry3d> T_base_sensor;  //!< of that sensor; none: the format's own
-  double rate_hz = 10;                             //!< of clouds and images that have no stamps
-  poses::TimeNs start = kNoClockStart;             //!< of a recording without a clock
-  double from_s = 0;  //!< seconds after the first observation, included
+  double rate_hz = 0;  //!< of clouds and images that have no stamps; 0: the format's own
+  poses::TimeNs start = kNoClockStart;  //!< of a recording without a clock
+  double from_s = 0;                    //!< seconds after the first observation, included
   double to_s = std::numeric_limits<double>::infinity();  //!< likewise, not included
   std::optional<std::array<double, 4>> camera;            //!< fx fy cx cy of RGB-D images, pixels
+
+  double rateOr(double usual_hz) const { return rate_hz > 0 ? rate_hz : usual_hz; }
 };
 }  // namespace traverse::importing
