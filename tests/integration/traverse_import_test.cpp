@@ -86,6 +86,38 @@ TEST_F(TraverseImport, KittiRawHasPicturesWithTheirCameras)
   EXPECT_THAT(stockInfo(log_), HasSubstr("CAMERA_2 /      3"));
 }
 
+TEST_F(TraverseImport, KittiRawDrivesHaveClockGpsAndImu)
+{
+  const fs::path drive = scratch_ / "day" / "drive";
+  for (const char* sensor : {"velodyne_points", "oxts"})
+  {
+    fs::create_directories(drive / sensor / "data");
+    writeText(
+        drive / sensor / "timestamps.txt",
+        "2011-09-26 13:02:25.500000000\n\n2011-09-26 13:02:25.700000000\n");
+  }
+  for (const char* frame : {"0", "1", "2"})
+  {
+    writeText(
+        drive / "velodyne_points" / "data" / (std::string(frame) + ".bin"), std::string(32, '\1'));
+    std::string oxts = "49.015 8.43 116.4 0.01 0.02 1.5";
+    for (int i = 6; i < 30; ++i)
+    {
+      oxts += " " + std::to_string(i);
+    }
+    writeText(drive / "oxts" / "data" / (std::string(frame) + ".txt"), oxts);
+  }
+  writeText(scratch_ / "day" / "calib_imu_to_velo.txt", "R: 1 0 0 0 1 0 0 0 1\nT: -0.8 0.3 -0.8\n");
+  const Finished ran = traverseImport(drive, log_);
+  EXPECT_EQ(ran.exit_code, 5) << "frame 1 has no time: " << ran.err;
+  const LogReading reading = readLog(log_);
+  ASSERT_EQ(reading.scans.size(), 2U);
+  EXPECT_EQ(reading.scans[1].scan.stamp, 1'317'042'145'700'000'000);
+  const std::string info = stockInfo(log_);
+  EXPECT_THAT(info, HasSubstr("GPS /      2"));
+  EXPECT_THAT(info, HasSubstr("IMU /      2"));
+}
+
 TEST_F(TraverseImport, Argoverse2HasRingsAndPosesNearZero)
 {
   const fs::path input = sharedData("argoverse2-2xVLP32C");
