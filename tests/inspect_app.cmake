@@ -3,7 +3,6 @@
 # Tests of traverse-inspect.
 foreach(test inspect_log_test inspect_maps_test inspect_doctor_test)
   traverse_test(integration ${test} USES observations LIBS nlohmann_json::nlohmann_json mrpt::maps mrpt::obs ZLIB::ZLIB)
-  target_sources(integration_${test} PRIVATE support/process.cpp)
   add_dependencies(integration_${test} traverse-inspect)
 endforeach()
 add_dependencies(integration_inspect_maps_test traverse-map)

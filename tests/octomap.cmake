@@ -6,6 +6,5 @@ traverse_test(integration octree_map_test USES plugin traversability_grid config
   LIBS mrpt::maps mrpt::obs)
 traverse_test(integration rebuild_test USES traversability_grid LIBS fmt::fmt nlohmann_json::nlohmann_json)
 foreach(name octomap_tools_test rebuild_test)
-  target_sources(integration_${name} PRIVATE support/process.cpp)
 endforeach()
 add_dependencies(integration_rebuild_test traverse-map)

@@ -5,6 +5,5 @@ traverse_test(integration log_pieces_test USES logs)
 foreach(name traverse_map_pieces_test traverse_map_merge_errors_test other_processor_test)
   traverse_test(integration ${name} USES observations formats
     LIBS nlohmann_json::nlohmann_json mrpt::obs mrpt::maps ZLIB::ZLIB)
-  target_sources(integration_${name} PRIVATE support/process.cpp)
   add_dependencies(integration_${name} traverse-map)
 endforeach()

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
+#include "known_formats.h"
 #include "summary.h"
 
 #include <traverse/common_app/interrupt.h>
@@ -8,9 +9,9 @@
 #include <traverse/formats/bytes.h>
 #include <traverse/formats/safe_file.h>
 #include <traverse/import_app/app.h>
-#include <traverse/importing/format.h>
 #include <traverse/importing/log_writer.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <iostream>
 
@@ -25,17 +26,20 @@ void tell(const std::string& kind, const std::string& message)
   fmt::print(stderr, "traverse-import: {}: {}\n", kind, printable(message));
 }
 
-const importing::Format& formatOf(const ImportCommand& command)
+const KnownFormat& formatOf(const ImportCommand& command)
 {
   const std::filesystem::path& input = command.params.input;
   if (!std::filesystem::exists(input))
   {
     throw ImportError(input.string() + ": no such file or folder");
   }
-  const importing::Format* format = command.format == "auto"
-                                        ? importing::recogniseFormat(input)
-                                        : importing::findFormat(command.format);
-  if (format == nullptr)
+  const std::vector<KnownFormat>& all = knownFormats();
+  const auto format = std::find_if(
+      all.begin(), all.end(),
+      [&](const KnownFormat& known) {
+        return command.format == "auto" ? known.recognises(input) : known.name == command.format;
+      });
+  if (format == all.end())
   {
     throw ImportError(input.string() + ": is of no layout that is known; --format names one");
   }
@@ -51,7 +55,7 @@ std::unique_ptr<importing::Source> openSource(const ImportCommand& command)
 {
   try
   {
-    return formatOf(command).open(command.params);
+    return formatOf(command).open(command);
   }
   catch (const formats::FileError& e)
   {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
+#include "known_formats.h"
+
 #include <traverse/formats/decimal.h>
-#include <traverse/importing/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <iostream>
 #include <numbers>
@@ -31,7 +33,7 @@ constexpr const char* kExits =
 std::string footer()
 {
   std::string text = "Formats:\n";
-  for (const importing::Format& format : importing::allFormats())
+  for (const KnownFormat& format : knownFormats())
   {
     text += fmt::format("  {:<16} {}\n", format.name, format.what);
   }
@@ -109,7 +111,8 @@ void declareSensor(CLI::App& cli, importing::ImportParams& params)
 
 void declareTimes(CLI::App& cli, importing::ImportParams& params)
 {
-  cli.add_option("--rate-hz", params.rate_hz, "of clouds and images without stamps (10; 7-scenes 30)")
+  cli.add_option(
+         "--rate-hz", params.rate_hz, "of clouds and images without stamps (10; 7-scenes 30)")
       ->check(CLI::Range(0.001, 1e6));
   cli.add_option_function<std::string>(
          "--start-time", [&](const std::string& text) { params.start = startTime(text); },
@@ -122,6 +125,13 @@ void declareTimes(CLI::App& cli, importing::ImportParams& params)
       ->check(CLI::Range(0.0, 1e9));
 }
 
+void declareBag(CLI::App& cli, ros_bags::BagParams& bag)
+{
+  cli.add_option(
+      "--base-frame", bag.base_frame, "tf frame of the vehicle in a ROS bag (base_link ...)");
+  cli.add_option("--topics", bag.topics, "topics of a ROS bag to import, blanks between (all)");
+}
+
 void declare(CLI::App& cli, ImportCommand& command)
 {
   cli.add_option("INPUT", command.params.input, "file or folder of the recording")->required();
@@ -132,12 +142,15 @@ void declare(CLI::App& cli, ImportCommand& command)
       ->check(
           [](const std::string& name)
           {
-            return name == "auto" || importing::findFormat(name) != nullptr
-                       ? ""
-                       : "'" + name + "' is none of the formats";
+            const auto& all = knownFormats();
+            const bool known = std::any_of(
+                all.begin(), all.end(),
+                [&](const KnownFormat& format) { return format.name == name; });
+            return name == "auto" || known ? "" : "'" + name + "' is none of the formats";
           });
   declareSensor(cli, command.params);
   declareTimes(cli, command.params);
+  declareBag(cli, command.bag);
   cli.add_flag("--force", command.force, "replace a log that is there");
   cli.add_flag("--quiet", command.quiet, "no progress on stderr");
   cli.set_version_flag("--version", "traverse-import " TRAVERSE_VERSION);

@@ -4,6 +4,7 @@
 
 #include <traverse/common_app/exit_code.h>
 #include <traverse/importing/import_params.h>
+#include <traverse/ros_bags/open_bag.h>
 
 #include <filesystem>
 #include <optional>
@@ -15,6 +16,7 @@ namespace traverse::app
 struct ImportCommand
 {
   importing::ImportParams params;
+  ros_bags::BagParams bag;
   std::filesystem::path output;
   std::string format = "auto";
   bool force = false;

@@ -4,7 +4,6 @@
 
 #include <traverse/importing/format.h>
 
-#include <algorithm>
 #include <array>
 
 namespace traverse::importing
@@ -21,21 +20,5 @@ std::span<const Format> allFormats()
       Format{"clouds", "PCD, PLY, KITTI .bin or CSV clouds", isClouds, openClouds},
   };
   return kAll;
-}
-
-const Format* findFormat(std::string_view name)
-{
-  const auto all = allFormats();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Format& f) { return f.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-const Format* recogniseFormat(const std::filesystem::path& input)
-{
-  const auto all = allFormats();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Format& f) { return f.recognises(input); });
-  return found == all.end() ? nullptr : &*found;
 }
 }  // namespace traverse::importing

@@ -24,10 +24,4 @@ struct Format
 
 /** All, those first that recognise the fewest inputs. */
 std::span<const Format> allFormats();
-
-/** By name; nullptr for none. */
-const Format* findFormat(std::string_view name);
-
-/** The first that recognises the input; nullptr where none does. */
-const Format* recogniseFormat(const std::filesystem::path& input);
 }  // namespace traverse::importing
