@@ -57,7 +57,10 @@ template <class T>
 void copyInto(std::vector<T>& to, std::string_view& from, size_t n)
 {
   to.resize(n);
-  std::memcpy(to.data(), from.data(), n * sizeof(T));
+  if (n > 0)
+  {
+    std::memcpy(to.data(), from.data(), n * sizeof(T));
+  }
   from.remove_prefix(n * sizeof(T));
 }
 }  // namespace
