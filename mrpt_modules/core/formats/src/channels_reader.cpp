@@ -114,7 +114,7 @@ void ChannelsReader::walk()
   }
 }
 
-bool ChannelsReader::readEnd(uint64_t at)
+bool ChannelsReader::readEnd(uint64_t at) const
 {
   if (at + channels::kEndBytes != size_)
   {
@@ -131,7 +131,7 @@ bool ChannelsReader::readEnd(uint64_t at)
   return marked && counted && in.u32() == crc32(std::string_view(bytes).substr(0, 12));
 }
 
-std::optional<ChannelsReader::Place> ChannelsReader::readHeader(uint64_t& at)
+std::optional<ChannelsReader::Place> ChannelsReader::readHeader(uint64_t& at) const
 {
   // The longest header at once: one call for each cloud.
   const std::string bytes = readAt(fd_, at, channels::kHeadBytes + channels::kLongestLabel + 4);

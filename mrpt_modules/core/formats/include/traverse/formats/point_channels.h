@@ -124,8 +124,8 @@ class ChannelsReader
   };
 
   void walk();
-  std::optional<Place> readHeader(uint64_t& at);
-  bool readEnd(uint64_t at);
+  std::optional<Place> readHeader(uint64_t& at) const;
+  bool readEnd(uint64_t at) const;
   Answer readPayload(const Place& place) const;
 
   int fd_;
