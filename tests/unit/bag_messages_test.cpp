@@ -196,6 +196,9 @@ TEST(PointCloud, WithoutCoordinatesIsRefusedAndOneWithoutPointsIsNot)
   const auto flat = CloudBuilder(1).column("x", PointField::FLOAT32, std::vector<float>{1}).build();
   EXPECT_THROW(columnsOf(flat), FormatError);
   EXPECT_THAT(columnsOf(velodyneCloud(0, 0, 1)).x, SizeIs(0));
+  auto rows = velodyneCloud(0, 0, 1);
+  rows.height = 0xffffffff;
+  EXPECT_EQ(parsePointCloud(rosBytes(rows)).height, 0U) << "nor are its empty rows walked";
 }
 
 TEST(Messages, AreReadAsRosWritesThem)

@@ -79,6 +79,10 @@ PointCloud parsePointCloud(std::string_view bytes)
   {
     in.fail("an absurd number of points");
   }
+  if (points == 0)
+  {
+    cloud.height = cloud.width = 0;  // nobody shall walk four billion empty rows
+  }
   if (points > 0 && cloud.point_step == 0)
   {
     in.fail("points without fields");
