@@ -92,7 +92,7 @@ std::string inWords(ChannelsReader::Found found)
 CloudChannels::CloudChannels(const std::filesystem::path& log)
 {
   const std::filesystem::path file = formats::channelsFileOf(log);
-  fd_ = Fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  fd_ = sandbox::Fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (fd_.get() < 0)
   {
     const int code = errno;

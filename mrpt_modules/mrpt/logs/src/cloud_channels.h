@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "log_file.h"
-
 #include <traverse/formats/point_channels.h>
 #include <traverse/points/decoded.h>
+#include <traverse/sandbox/input_file.h>
 
 #include <filesystem>
 #include <optional>
@@ -33,7 +32,7 @@ class CloudChannels
   std::string attach(const mrpt::obs::CObservation& observation, points::ScanBuffer& scan) const;
 
  private:
-  Fd fd_;
+  sandbox::Fd fd_;
   std::optional<formats::ChannelsReader> reader_;
   std::string damage_;
 };
