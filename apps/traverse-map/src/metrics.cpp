@@ -122,6 +122,8 @@ std::string toJson(const RunMetrics& metrics)
       {"points", metrics.points},
       {"pose_source", metrics.pose_source},
       {"poses", object(metrics.poses)},
+      {"pose_notes", object(metrics.pose_notes)},
+      {"poses_rejected", object(metrics.poses_rejected)},
       {"pose_quality", object(metrics.pose_quality)},
       {"deskew", object(metrics.deskew)},
       {"maps", mapsOf(metrics)},

@@ -107,6 +107,8 @@ struct RunMetrics
   std::map<std::string, uint64_t> pose_quality;  //!< scans by how their pose was found
   std::map<std::string, uint64_t> poses;         //!< PoseTrack's report
   std::string pose_source;
+  std::map<std::string, std::string> pose_notes;   //!< what the source has to say
+  std::map<std::string, uint64_t> poses_rejected;  //!< by class and reason
   std::vector<MapMetrics> maps;
   std::vector<logs::SensorTimes> sensors;  //!< for the report; not in metrics.json
   std::vector<std::string> files;

@@ -7,6 +7,7 @@
 #include <traverse/config/strict.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace traverse::app
@@ -133,6 +134,13 @@ void checkTogether(const Settings& settings)
   if (settings.poses.source == poses::PoseSource::file && settings.poses.file.empty())
   {
     throw ConfigError("[Poses] source = file needs file = a trajectory");
+  }
+  const auto& origin = settings.poses.ins_origin;
+  if (!origin.empty() &&
+      (origin.size() != 3 || std::abs(origin[0]) > 90 || std::abs(origin[1]) > 360))
+  {
+    throw ConfigError(
+        "[Poses] ins_origin needs three numbers: latitude and longitude in degrees, height in m");
   }
 }
 

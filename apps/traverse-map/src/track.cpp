@@ -7,12 +7,28 @@
 #include <traverse/formats/trajectory.h>
 #include <traverse/logs/log_poses.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 
 namespace traverse::app
 {
 namespace
 {
+/** An inertial unit whose yaw counts from elsewhere turns the map, and smears it. */
+void warnOfHeading(const poses::PoseParams& params, RunMetrics& metrics)
+{
+  constexpr double kSuspicious_deg = 15;
+  const auto off = metrics.pose_notes.find("heading_off_course_deg");
+  if (params.ins_heading == poses::InsHeading::imu && off != metrics.pose_notes.end() &&
+      std::abs(std::strtod(off->second.c_str(), nullptr)) > kSuspicious_deg)
+  {
+    metrics.warnings.push_back(fmt::format(
+        "poses: the way driven is {} deg off the IMU's heading: see [Poses] ins_heading",
+        off->second));
+  }
+}
+
 std::vector<poses::StampedPose> posesOf(
     const Settings& settings, RunMetrics& metrics, const std::atomic<bool>& stop)
 {
@@ -22,7 +38,7 @@ std::vector<poses::StampedPose> posesOf(
         [&] { return formats::readTrajectory(settings.poses.file, settings.poses.times_file); });
   }
   logs::PoseReading reading = logs::readLogPoses(
-      settings.rawlog, settings.poses.source, settings.log, settings.sensors, {&stop, false, {}});
+      settings.rawlog, settings.poses, settings.log, settings.sensors, {&stop, false, {}});
   if (reading.report.complete())
   {
     metrics.log_entries = reading.report.objects;
@@ -32,6 +48,13 @@ std::vector<poses::StampedPose> posesOf(
     metrics.problems.push_back("poses: " + reading.report.damage);
     metrics.complete = false;
   }
+  metrics.pose_notes = reading.report.notes;
+  metrics.poses_rejected = reading.report.rejected;
+  for (const auto& [what, n] : reading.report.rejected)
+  {
+    metrics.warnings.push_back(fmt::format("poses: {} without one: {}", n, what));
+  }
+  warnOfHeading(settings.poses, metrics);
   return std::move(reading.poses);
 }
 

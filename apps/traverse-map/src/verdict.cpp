@@ -28,9 +28,11 @@ void noteAbout(const MapMetrics& map, RunMetrics& metrics)
     if (metrics.poses["kept"] == 0)
     {
       metrics.problems.push_back(fmt::format(
-          "the log has no poses of source '{}': try [Poses] source = icp_2d, or identity for a "
-          "robot that stands still",
-          metrics.pose_source));
+          "the log has no poses of source '{}'{}: try [Poses] source = icp_3d or icp_2d, or "
+          "identity "
+          "for a robot that stands still",
+          metrics.pose_source,
+          metrics.pose_source == "ins" ? " (CObservationGPS with good fixes, and a heading)" : ""));
     }
     metrics.complete = false;
   }

@@ -24,6 +24,10 @@ std::unique_ptr<FrameListener> makeListener(
       return makeRobotPoseListener(pipe);
     case PoseSource::icp_2d:
       return makeIcpListener(pipe, settings);
+    case PoseSource::icp_3d:
+      return makeIcp3dListener(pipe, settings);
+    case PoseSource::ins:
+      return makeInsListener(pipe, settings);
     case PoseSource::identity:
     case PoseSource::file:
       break;
@@ -34,17 +38,19 @@ std::unique_ptr<FrameListener> makeListener(
 
 PoseReading readLogPoses(
     const std::filesystem::path& file,
-    PoseSource source,
+    const poses::PoseParams& wanted,
     const LogParams& params,
     const observations::ObservationParams& sensors,
     const ReadOptions& options)
 {
+  const PoseSource source = wanted.source;
   if (source == PoseSource::identity || source == PoseSource::file)
   {
     throw std::invalid_argument("readLogPoses: this pose source does not come from the log");
   }
   options::check(params);
-  const JobSettings settings{file, sensors, options.accept_bad_stamps, {}};
+  options::check(wanted);
+  const JobSettings settings{file, sensors, options.accept_bad_stamps, {}, wanted};
   Session session(
       file, params, options,
       [&](int log_fd, int frames_fd, SharedProgress& progress)
@@ -63,5 +69,17 @@ PoseReading readLogPoses(
   }
   reading.report = session.report();
   return reading;
+}
+
+PoseReading readLogPoses(
+    const std::filesystem::path& file,
+    PoseSource source,
+    const LogParams& params,
+    const observations::ObservationParams& sensors,
+    const ReadOptions& options)
+{
+  poses::PoseParams wanted;
+  wanted.source = source;
+  return readLogPoses(file, wanted, params, sensors, options);
 }
 }  // namespace traverse::logs

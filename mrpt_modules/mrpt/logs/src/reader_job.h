@@ -50,6 +50,12 @@ class FrameListener : public LogListener
   /** Counts a stamp that is none, or that does not follow its predecessor of the same sensor. */
   void countStamp(const std::string& type, const std::string& label, poses::TimeNs stamp);
 
+  /** Tells the parent something in words. */
+  void note(const std::string& what, const std::string& text)
+  {
+    pipe_.frames().add(CountFrame{Counted::note, what, text});
+  }
+
   FrameWriter& frames() { return pipe_.frames(); }
 
   /** While muted, neither counts nor ends of entries are sent. */
@@ -73,12 +79,15 @@ struct JobSettings
   observations::ObservationParams sensors;
   bool accept_bad_stamps = false;
   EntryRange entries;
+  poses::PoseParams poses;
 };
 
 std::unique_ptr<FrameListener> makeScanListener(FramePipe& pipe, const JobSettings& settings);
 std::unique_ptr<FrameListener> makeOdometryListener(FramePipe& pipe);
 std::unique_ptr<FrameListener> makeRobotPoseListener(FramePipe& pipe);
 std::unique_ptr<FrameListener> makeIcpListener(FramePipe& pipe, const JobSettings& settings);
+std::unique_ptr<FrameListener> makeIcp3dListener(FramePipe& pipe, const JobSettings& settings);
+std::unique_ptr<FrameListener> makeInsListener(FramePipe& pipe, const JobSettings& settings);
 
 /** The class of an observation without its name space. */
 std::string typeOf(const mrpt::obs::CObservation& observation);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_channels.h"
+#include "image_folder.h"
 #include "reader_job.h"
 
 #include <traverse/observations/convert.h>
@@ -18,28 +19,6 @@ using observations::Outcome;
 using observations::ScanResult;
 constexpr size_t kLongestLabel = 256;
 constexpr size_t kMostWaiting = 64;
-
-/** By MRPT's rule: beside `some.rawlog`, some_Images, some_images, some_IMAGES, or else Images.
- * (CRawlog::detectImagesDirectory() of 2.5.8 asks for files of these names, and finds no folder.)
- */
-std::filesystem::path imageFolder(const JobSettings& settings)
-{
-  const std::filesystem::path beside = std::filesystem::absolute(settings.log).parent_path();
-  if (!settings.sensors.image_folder.empty())
-  {
-    return beside / settings.sensors.image_folder;
-  }
-  for (const char* ending : {"_Images", "_images", "_IMAGES"})
-  {
-    std::filesystem::path folder = beside / (settings.log.stem().string() + ending);
-    std::error_code none;
-    if (std::filesystem::is_directory(folder, none))
-    {
-      return folder;
-    }
-  }
-  return beside / "Images";
-}
 
 template <class T>
 size_t hashOf(const std::vector<T>& values)

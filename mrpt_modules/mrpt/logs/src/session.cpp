@@ -122,6 +122,9 @@ void Session::count(const CountFrame& count)
     case Counted::channels_damage:
       report_.channels_damage = printable(count.reason);
       break;
+    case Counted::note:
+      report_.notes.emplace(count.type, printable(count.reason));
+      break;
   }
 }
 

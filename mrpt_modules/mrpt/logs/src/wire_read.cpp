@@ -183,7 +183,7 @@ CountFrame readCount(std::span<const uint8_t> bytes)
   Payload payload(bytes);
   CountFrame count;
   const auto what = payload.take<uint8_t>();
-  if (what > static_cast<uint8_t>(Counted::channels_damage))
+  if (what > static_cast<uint8_t>(Counted::note))
   {
     throw WireError("an unknown thing was counted");
   }

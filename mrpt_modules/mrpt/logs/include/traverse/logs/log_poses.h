@@ -25,8 +25,18 @@ struct PoseReading
  * together, each stamped with the first stamp of the frame that follows it (its own, where that has
  * none); whichever of the two comes first in the log is taken. robot_pose: CObservationRobotPose,
  * less the pose of its sensor on the vehicle. icp_2d: MRPT's 2-D ICP SLAM over level
- * CObservation2DRangeScan, helped by the odometry of the log. Throws std::invalid_argument for
+ * CObservation2DRangeScan, helped by the odometry of the log. icp_3d: registration::ScanToMap over
+ * whatever becomes a scan; its refusals are counted among the rejected. ins: poses::insPoses() of
+ * CObservationGPS and CObservationIMU. Throws std::invalid_argument for
  * identity and file, which take no pass over the log, and LogError as LogReader does. */
+PoseReading readLogPoses(
+    const std::filesystem::path& file,
+    const poses::PoseParams& wanted,
+    const LogParams& params,
+    const observations::ObservationParams& sensors,
+    const ReadOptions& options = {});
+
+/** The same with the source's options at their defaults. */
 PoseReading readLogPoses(
     const std::filesystem::path& file,
     poses::PoseSource source,

@@ -35,6 +35,7 @@ struct LogReport
   std::map<std::string, uint64_t> observations;  //!< scans (or poses) delivered, by class
   std::map<std::string, uint64_t> ignored;       //!< by class
   std::map<std::string, uint64_t> rejected;      //!< by "class: reason"
+  std::map<std::string, std::string> notes;      //!< what a pose source has to say of its poses
   uint64_t repeated_stamps = 0;  //!< the same stamp again from one sensor (delivered all the same)
   uint64_t backward_stamps = 0;  //!< a stamp before its predecessor's (delivered all the same)
   uint64_t bad_stamps = 0;       //!< no clock's: before 1980, after 2100, or none
