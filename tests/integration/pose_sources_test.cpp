@@ -96,8 +96,15 @@ std::string driveLog()
 Finished mapWith(const ScratchFolder& scratch, const std::vector<std::string>& settings)
 {
   std::vector<std::string> arguments = {
-      ini("vlp16"), "--quiet",       "--rawlog", scratch / "some.rawlog",
-      "--output",   scratch / "out", "--set",    "traverse-map.pictures=false"};
+      ini("vlp16"),
+      "--force",
+      "--quiet",
+      "--rawlog",
+      scratch / "some.rawlog",
+      "--output",
+      scratch / "out",
+      "--set",
+      "traverse-map.pictures=false"};
   for (const std::string& setting : settings)
   {
     arguments.insert(arguments.end(), {"--set", setting});
