@@ -3,58 +3,26 @@
 //
 // Errors of the pose sources icp_3d and ins on real recordings; with MRPT's CICP::Align3D from scan
 // to scan on the same points beside icp_3d. What the references are worth: doc/benchmarks.md.
-#include <traverse/poses/ins.h>
 #include <traverse/registration/scan_to_map.h>
 
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/poses/CPose3DPDF.h>
 #include <mrpt/slam/CICP.h>
 
-#include <Eigen/SVD>
-
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <random>
 #include <set>
-#include <sstream>
 #include <support/data.h>
-#include <support/geodetic_path.h>
+#include <support/ins_recordings.h>
 #include <support/labelled_clouds.h>
+#include <support/path_errors.h>
 
 namespace
 {
 using namespace traverse;
 using namespace traverse::testing;
-using Path = std::vector<Eigen::Isometry3d>;
-constexpr poses::TimeNs kStart = 1'600'000'000'000'000'000;
-constexpr double kDegPerRad = 180 / geometry::kPi;
-
-/** Rows of 3x4 behind `skip` words. */
-Path readRows(const std::filesystem::path& file, int skip)
-{
-  const std::vector<char> bytes = unpacked(file);
-  std::istringstream text(std::string(bytes.begin(), bytes.end()));
-  Path path;
-  std::string word;
-  while (text >> word)
-  {
-    for (int i = 1; i < skip; ++i)
-    {
-      text >> word;
-    }
-    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-    for (int i = 0; i < 12; ++i)
-    {
-      text >> T.matrix()(i / 4, i % 4);
-    }
-    T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
-    path.push_back(T);
-  }
-  return path;
-}
 
 points::ScanBuffer readCloud(const std::filesystem::path& file)
 {
@@ -68,46 +36,6 @@ points::ScanBuffer readCloud(const std::filesystem::path& file)
     scan.z.push_back(values[i + 2]);
   }
   return scan;
-}
-
-/** The errors of a path against a reference of as many poses. */
-struct Errors
-{
-  double ate_m = 0;          //!< root mean square, first poses laid together
-  double ate_aligned_m = 0;  //!< the same after the best rigid motion (Umeyama, no scale)
-  double step_percent = 0;   //!< mean error of a step's translation, of the mean step
-  double step_deg_per_m = 0;
-};
-
-double rmse(const Eigen::Matrix3Xd& difference)
-{
-  return std::sqrt(difference.colwise().squaredNorm().mean());
-}
-
-Errors errorsOf(const Path& found, const Path& reference)
-{
-  const auto n = static_cast<Eigen::Index>(found.size());
-  Eigen::Matrix3Xd a(3, n);
-  Eigen::Matrix3Xd b(3, n);
-  double way_m = 0;
-  double off_m = 0;
-  double off_deg = 0;
-  for (Eigen::Index i = 0; i < n; ++i)
-  {
-    const auto k = static_cast<size_t>(i);
-    a.col(i) = (found[0].inverse() * found[k]).translation();
-    b.col(i) = (reference[0].inverse() * reference[k]).translation();
-    if (k > 0)
-    {
-      const Eigen::Isometry3d step = reference[k - 1].inverse() * reference[k];
-      const Eigen::Isometry3d off = step.inverse() * (found[k - 1].inverse() * found[k]);
-      way_m += step.translation().norm();
-      off_m += off.translation().norm();
-      off_deg += Eigen::AngleAxisd(off.linear()).angle() * kDegPerRad;
-    }
-  }
-  const Eigen::Isometry3d T(Eigen::umeyama(a, b, false));
-  return {rmse(a - b), rmse((T * a) - b), 100 * off_m / way_m, off_deg / way_m};
 }
 
 void tell(const std::string& name, const Errors& e, nlohmann::ordered_json& figures)
@@ -227,93 +155,6 @@ void measureMrpt(const Sequence& s, nlohmann::ordered_json& figures)
   }
   figures["mrpt_cicp_" + s.name + "_ms"] = ms / static_cast<double>(s.scans.size() - 1);
   tell("mrpt_cicp_" + s.name, errorsOf(found, s.reference), figures);
-}
-
-std::vector<poses::StampedPose> argoversePath()
-{
-  const std::vector<char> bytes =
-      unpacked(sharedData("argoverse2-2xVLP32C/city_SE3_egovehicle.csv.gz"));
-  std::string all(bytes.begin(), bytes.end());
-  std::replace(all.begin(), all.end(), ',', ' ');
-  std::istringstream text(all);
-  std::string header;
-  std::getline(text, header);
-  std::vector<poses::StampedPose> path;
-  poses::TimeNs time = 0;
-  double w = 0, x = 0, y = 0, z = 0;
-  while (text >> time >> w >> x >> y >> z)
-  {
-    poses::StampedPose pose{time, Eigen::Isometry3d(Eigen::Quaterniond(w, x, y, z).normalized())};
-    text >> pose.T_map_base.translation().x() >> pose.T_map_base.translation().y() >>
-        pose.T_map_base.translation().z();
-    path.push_back(pose);
-  }
-  return path;
-}
-
-/** 2021-10-26-16-21-29-468 (all of one hour), then a 3x4. */
-std::vector<poses::StampedPose> novatelPath()
-{
-  const auto file = sharedData("multilidar-ins-stationary/NovAtel-pose-lidar-time.txt.gz");
-  const std::vector<char> bytes = unpacked(file);
-  std::istringstream text(std::string(bytes.begin(), bytes.end()));
-  const Path rows = readRows(file, 1);
-  std::vector<poses::StampedPose> path;
-  std::string line;
-  while (std::getline(text, line) && path.size() < rows.size())
-  {
-    int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, ms = 0;
-    std::sscanf(
-        line.c_str(), "%d-%d-%d-%d-%d-%d-%d", &year, &month, &day, &hour, &minute, &second, &ms);
-    const int64_t in_ms = ((hour * 60 + minute) * 60 + second) * 1000LL + ms;
-    path.push_back({kStart + in_ms * 1'000'000, rows[path.size()]});
-  }
-  return path;
-}
-
-struct Noise
-{
-  double horizontal_m = 0;
-  double vertical_m = 0;
-  double attitude_deg = 0;
-};
-
-/** GPS at 10 Hz and an inertial unit at 100 Hz on that path. */
-poses::InsPoses observed(const poses::PoseTrack& truth, const Noise& noise, bool with_attitude)
-{
-  const geometry::Geodetic origin{40.44, -79.99, 230};
-  const Eigen::Vector3d antenna(-0.4, 0.1, 1.5);
-  std::mt19937_64 random(7);
-  std::normal_distribution<double> any(0, 1);
-  std::vector<poses::GpsFix> fixes;
-  std::vector<poses::ImuSample> samples;
-  const Eigen::Isometry3d T_local_map = truth.poses().front().T_map_base.inverse();
-  const poses::TimeNs begin = truth.poses().front().time;
-  const poses::TimeNs end = truth.poses().back().time;
-  std::optional<double> yaw_before;
-  for (poses::TimeNs t = begin; t <= end; t += 10'000'000)
-  {
-    const Eigen::Isometry3d T = T_local_map * truth.at(t)->T_map_base;
-    if ((t - begin) % 100'000'000 == 0)
-    {
-      const Eigen::Vector3d off(
-          noise.horizontal_m * any(random), noise.horizontal_m * any(random),
-          noise.vertical_m * any(random));
-      fixes.push_back({t, placeAt(origin, T * antenna + off), true, antenna});
-    }
-    const double yaw = std::atan2(T.linear()(1, 0), T.linear()(0, 0));
-    const double rate =
-        yaw_before ? std::remainder(yaw - *yaw_before, 2 * geometry::kPi) / 0.01 : 0;
-    yaw_before = yaw;
-    const Eigen::Vector3d turn(any(random), any(random), any(random));
-    const Eigen::Matrix3d R =
-        T.linear() *
-        poses::rotationBy(turn.norm() * noise.attitude_deg / kDegPerRad, turn.normalized());
-    samples.push_back({t, with_attitude ? std::optional(R) : std::nullopt, rate});
-  }
-  poses::PoseParams params;
-  params.ins_origin = {origin.latitude_deg, origin.longitude_deg, origin.height_m};
-  return poses::insPoses(fixes, samples, params);
 }
 
 void measureIns(

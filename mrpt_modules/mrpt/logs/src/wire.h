@@ -39,7 +39,7 @@ enum class Counted : uint8_t
   bad_stamp,
   channels,         //!< `reason`: what became of a cloud's ring and time
   channels_damage,  //!< `reason`: what is wrong with the file of them
-  note,  //!< no count: `reason` is what is to be known about `type`
+  note,             //!< no count: `reason` is what is to be known about `type`
 };
 
 struct CountFrame
