@@ -18,6 +18,7 @@
 #include <support/ins_recordings.h>
 #include <support/labelled_clouds.h>
 #include <support/path_errors.h>
+#include <support/upright_things.h>
 
 namespace
 {
@@ -80,7 +81,7 @@ double msSince(std::chrono::steady_clock::time_point start)
       .count();
 }
 
-void measureIcp(
+Path measureIcp(
     const Sequence& s, double voxel_m, const std::string& name, nlohmann::ordered_json& figures)
 {
   registration::ScanToMap way({voxel_m, 100, {}});
@@ -107,6 +108,7 @@ void measureIcp(
   figures[name + "_voxel_m"] = way.map()->voxel_m();
   figures[name + "_ms"] = ms / static_cast<double>(s.scans.size());
   tell(name, errorsOf(found, reference), figures);
+  return found;
 }
 
 mrpt::maps::CSimplePointsMap mrptMap(const points::ScanBuffer& scan, double voxel_m)
@@ -127,7 +129,7 @@ mrpt::maps::CSimplePointsMap mrptMap(const points::ScanBuffer& scan, double voxe
 }
 
 /** Scan to scan from the last step, as MRPT has no map for it that forgets. */
-void measureMrpt(const Sequence& s, nlohmann::ordered_json& figures)
+Path measureMrpt(const Sequence& s, nlohmann::ordered_json& figures)
 {
   mrpt::slam::CICP icp;
   icp.options.maxIterations = 100;
@@ -155,6 +157,7 @@ void measureMrpt(const Sequence& s, nlohmann::ordered_json& figures)
   }
   figures["mrpt_cicp_" + s.name + "_ms"] = ms / static_cast<double>(s.scans.size() - 1);
   tell("mrpt_cicp_" + s.name, errorsOf(found, s.reference), figures);
+  return found;
 }
 
 void measureIns(
@@ -231,8 +234,14 @@ void run(nlohmann::ordered_json& figures)
       sequenceOf("nuscenes", nuscenes / "lidar", nuscenes_poses, 0.5), argoverseSweeps()};
   for (const Sequence& s : all)
   {
-    measureIcp(s, 0, "icp_3d_" + s.name, figures);
-    measureMrpt(s, figures);
+    const Path found = measureIcp(s, 0, "icp_3d_" + s.name, figures);
+    const Path by_mrpt = measureMrpt(s, figures);
+    if (s.name == "kitti" && found.size() == s.reference.size())
+    {
+      figures["kitti_things_apart_m_reference"] = thingsApart_m(kitti, s.reference);
+      figures["kitti_things_apart_m_icp_3d"] = thingsApart_m(kitti, found);
+      figures["kitti_things_apart_m_mrpt_cicp"] = thingsApart_m(kitti, by_mrpt);
+    }
   }
   for (const double share : {0.8, 1.2})
   {

@@ -77,6 +77,18 @@ void compare(double a, double b, double tolerance, LayerDiff& diff)
   }
 }
 
+template <class Visit>
+void forEachCell(const CellRect& extent, const Visit& visit)
+{
+  for (int32_t y = extent.min.y; y < extent.max.y; ++y)
+  {
+    for (int32_t x = extent.min.x; x < extent.max.x; ++x)
+    {
+      visit(CellIndex{x, y});
+    }
+  }
+}
+
 /** All cells of one extent, then those of the other that were not among them. */
 LayerDiff compare(const LayerSet& a, const LayerSet& b, const std::string& name, double tolerance)
 {
@@ -88,20 +100,17 @@ LayerDiff compare(const LayerSet& a, const LayerSet& b, const std::string& name,
   const Values values_b(in_b != nullptr ? b : empty, in_b != nullptr ? *in_b : nothing);
   const double may_differ = name == a.class_layer || name == b.class_layer ? 0 : tolerance;
   LayerDiff diff;
-  for (const bool first : {true, false})
-  {
-    const CellRect& extent = first ? a.extent : b.extent;
-    for (int32_t y = extent.min.y; y < extent.max.y; ++y)
-    {
-      for (int32_t x = extent.min.x; x < extent.max.x; ++x)
+  forEachCell(
+      a.extent, [&](CellIndex c) { compare(values_a.at(c), values_b.at(c), may_differ, diff); });
+  forEachCell(
+      b.extent,
+      [&](CellIndex c)
       {
-        if (first || !a.extent.contains({x, y}))
+        if (!a.extent.contains(c))
         {
-          compare(values_a.at({x, y}), values_b.at({x, y}), may_differ, diff);
+          compare(values_a.at(c), values_b.at(c), may_differ, diff);
         }
-      }
-    }
-  }
+      });
   return diff;
 }
 
