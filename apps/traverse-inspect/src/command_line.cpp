@@ -44,7 +44,9 @@ void declareDoctor(CLI::App& cli, InspectCommand& command)
       "hints from the log itself: sensor height and tilt, axes, units, clocks, poses that lag");
   auto* poses = cli.add_option(
       "--poses", command.poses,
-      "odometry, robot_pose, or a trajectory file (TUM or KITTI); what the log has by default");
+      "a source of [Poses] (odometry, robot_pose, ins ...) or a trajectory file (TUM or KITTI); "
+      "what "
+      "the log has by default");
   poses->type_name("SOURCE|FILE")->needs(doctor);
   cli.add_option("--times", command.times, "one time per row of a KITTI trajectory, s")
       ->type_name("FILE")

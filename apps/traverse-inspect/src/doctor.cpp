@@ -28,22 +28,25 @@ bool has(const logs::LogReport& report, std::string_view type)
       [&](const logs::SensorTimes& sensor) { return sensor.type == type; });
 }
 
-/** "odometry", "robot_pose", or empty: what the log has. */
+/** The name of a pose source, or empty: what the log has. */
 std::string sourceIn(const logs::LogReport& report)
 {
   if (has(report, "CObservationRobotPose"))
   {
     return "robot_pose";
   }
-  return has(report, "CObservationOdometry") || has(report, "CActionRobotMovement2D") ? "odometry"
-                                                                                      : "";
+  if (has(report, "CObservationOdometry") || has(report, "CActionRobotMovement2D"))
+  {
+    return "odometry";
+  }
+  return has(report, "CObservationGPS") ? "ins" : "";
 }
 
 std::vector<poses::StampedPose> posesFrom(const InspectCommand& command, const std::string& source)
 {
-  for (const PoseSource known : {PoseSource::odometry, PoseSource::robot_pose})
+  for (const auto& [known, name] : options::EnumNames<PoseSource>::kNames)
   {
-    if (source == options::format(known))
+    if (source == name && known != PoseSource::file && known != PoseSource::identity)
     {
       logs::ReadOptions options;
       options.stop = &Interrupt::flag();

@@ -162,6 +162,17 @@ void skipBinary(const Element& element, ByteReader& in, bool big_endian)
   }
 }
 
+void skipWords(size_t n, TextLines& lines)
+{
+  for (size_t i = 0; i < n; ++i)
+  {
+    if (lines.word().empty())
+    {
+      throw FormatError("is cut short");
+    }
+  }
+}
+
 void skipText(const Element& element, TextLines& lines)
 {
   for (size_t i = 0; i < element.count && !element.properties.empty(); ++i)
@@ -175,13 +186,7 @@ void skipText(const Element& element, TextLines& lines)
         appendText(raw, *property.count, lines.word());
         n = lengthOf(*property.count, raw, false);
       }
-      for (size_t k = 0; k < n; ++k)
-      {
-        if (lines.word().empty())
-        {
-          throw FormatError("is cut short");
-        }
-      }
+      skipWords(n, lines);
     }
   }
 }

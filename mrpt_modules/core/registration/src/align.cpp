@@ -21,8 +21,8 @@ constexpr double kSmallStep = 1e-4;  // m and rad, as the paper's
 /** The normal equations of one iteration, about the vehicle's place. */
 struct Normal
 {
-  Matrix6 A = Matrix6::Zero();
-  Vector6 b = Vector6::Zero();
+  Matrix6 squares = Matrix6::Zero();  // A and b of A x = b
+  Vector6 offsets = Vector6::Zero();
   size_t matched = 0;
   size_t close = 0;
   double weight = 0;
@@ -46,8 +46,8 @@ void addAsPoint(
     const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
     Vector6 slope;
     slope << along, arm.cross(along);
-    sum.A.selfadjointView<Eigen::Lower>().rankUpdate(slope, weight);
-    sum.b -= weight * d[axis] * slope;
+    sum.squares.selfadjointView<Eigen::Lower>().rankUpdate(slope, weight);
+    sum.offsets -= weight * d[axis] * slope;
   }
 }
 
@@ -76,15 +76,15 @@ Normal normalEquations(
     const double weight = robust * surface->weight;
     Vector6 slope;
     slope << surface->normal, arm.cross(surface->normal);
-    sum.A.selfadjointView<Eigen::Lower>().rankUpdate(slope, weight);
-    sum.b -= weight * off_m * slope;
+    sum.squares.selfadjointView<Eigen::Lower>().rankUpdate(slope, weight);
+    sum.offsets -= weight * off_m * slope;
     sum.close += static_cast<size_t>(surface->weight > 0 && std::abs(off_m) < gate.close_m);
     addAsPoint(sum, *surface, at, arm, kernel2);
     sum.weight += robust;
     sum.squares_m2 += robust * arm.squaredNorm();
   }
-  const Matrix6 whole = sum.A.selfadjointView<Eigen::Lower>();
-  sum.A = whole;
+  const Matrix6 whole = sum.squares.selfadjointView<Eigen::Lower>();
+  sum.squares = whole;
   return sum;
 }
 
@@ -93,7 +93,7 @@ double constraintOf(const Normal& normal)
   const double length_m = std::sqrt(normal.squares_m2 / normal.weight);
   Vector6 scale = Vector6::Ones();
   scale.tail<3>().setConstant(1 / length_m);
-  const Matrix6 scaled = scale.asDiagonal() * normal.A * scale.asDiagonal();
+  const Matrix6 scaled = scale.asDiagonal() * normal.squares * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled, Eigen::EigenvaluesOnly);
   return solver.eigenvalues()(0) / normal.weight;
 }
@@ -102,11 +102,11 @@ double constraintOf(const Normal& normal)
 Alignment align(
     std::span<const Eigen::Vector3d> points,
     LocalMap& map,
-    const Eigen::Isometry3d& T_map_base_guess,
+    const Eigen::Isometry3d& T_map_guess,
     const Gate& gate)
 {
   Alignment result;
-  result.T_map_base = T_map_base_guess;
+  result.T_map_base = T_map_guess;
   Eigen::Isometry3d& T = result.T_map_base;
   bool settled = false;
   while (result.iterations < kMostIterations && !settled)
@@ -119,8 +119,8 @@ Alignment align(
     {
       return result;
     }
-    const Eigen::LDLT<Matrix6> solved(normal.A);
-    const Vector6 step = solved.solve(normal.b);
+    const Eigen::LDLT<Matrix6> solved(normal.squares);
+    const Vector6 step = solved.solve(normal.offsets);
     if (!step.allFinite())
     {
       return result;

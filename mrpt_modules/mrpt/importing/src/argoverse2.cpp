@@ -160,11 +160,12 @@ void addSweeps(const ImportParams& params, std::vector<Step>& steps, ImportRepor
     const auto stamp = stampInName(stemOf(file));
     for (size_t i = 0; i < kLidars.size(); ++i)
     {
-      if (has[i] && stamp)
+      if (!has[i] || !stamp)
       {
-        const SensorAt sensor = {kLidars[i], T_base_lidar[i], *stamp};
-        steps.push_back({stamp, [file, i, sensor] { return sweepEntry(file, i, sensor); }});
+        continue;
       }
+      const SensorAt sensor = {kLidars[i], T_base_lidar[i], *stamp};
+      steps.push_back({stamp, [file, i, sensor] { return sweepEntry(file, i, sensor); }});
     }
   }
   if (!whole)

@@ -43,8 +43,8 @@ Eigen::Isometry3d rectified(const NamedNumbers& cameras, const Eigen::Isometry3d
 {
   NamedNumbers with_zero = cameras;
   with_zero["zero"] = {0, 0, 0};
-  const auto R_rect = motionIn(with_zero, "R_rect_00", "zero", "R_rect_00");
-  return R_rect ? *R_rect * T_cam_lidar : T_cam_lidar;
+  const auto T_rect_zero = motionIn(with_zero, "R_rect_00", "zero", "R_rect_00");
+  return T_rect_zero ? *T_rect_zero * T_cam_lidar : T_cam_lidar;
 }
 
 RawCalibration readCalibration(const fs::path& drive)

@@ -20,7 +20,7 @@ using namespace mrpt::obs;  // NOLINT(google-build-using-namespace): the names o
 using poses::GpsFix;
 using poses::ImuSample;
 constexpr int kNovatelGood = 9;
-constexpr double kFastest_radps = 100;
+constexpr double kFastestTurn = 100;  // rad/s
 
 double rad(double deg)
 {
@@ -132,7 +132,7 @@ std::optional<double> yawRateOf(const CObservationIMU& imu, const Eigen::Matrix3
   const auto about = [&](TIMUDataIndex axis) { return imu.has(axis) ? imu.get(axis) : 0; };
   const double rate =
       (R_base_sensor * Eigen::Vector3d(about(IMU_WX), about(IMU_WY), imu.get(IMU_WZ))).z();
-  return std::abs(rate) < kFastest_radps ? std::optional(rate) : std::nullopt;
+  return std::abs(rate) < kFastestTurn ? std::optional(rate) : std::nullopt;
 }
 
 class InsListener : public FrameListener

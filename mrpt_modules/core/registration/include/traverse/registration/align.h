@@ -36,6 +36,6 @@ struct Alignment
 Alignment align(
     std::span<const Eigen::Vector3d> points,
     LocalMap& map,
-    const Eigen::Isometry3d& T_map_base_guess,
+    const Eigen::Isometry3d& T_map_guess,
     const Gate& gate);
 }  // namespace traverse::registration
