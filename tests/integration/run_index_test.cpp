@@ -20,17 +20,17 @@ class RunIndex : public ::testing::Test
  protected:
   static void SetUpTestSuite()
   {
-    made_ = new ScratchFolder;
+    made = new ScratchFolder;
     const Finished ran = traverseMap(
-        {ini("vlp16"), "--output", *made_ / "one", "--quiet", "--set",
+        {ini("vlp16"), "--output", *made / "one", "--quiet", "--set",
          "traverse-map.export_ply=true", "--set", "traverse-map.export_pcd=true", "--set",
          "traverse-map.export_geopackage=true"});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
   }
 
-  static void TearDownTestSuite() { delete made_; }
+  static void TearDownTestSuite() { delete made; }
 
-  static fs::path run() { return *made_ / "one"; }
+  static fs::path run() { return *made / "one"; }
 
   /** A folder of a run whose metrics.json is this. */
   void folder(const std::string& name, const std::string& metrics)
@@ -50,10 +50,10 @@ class RunIndex : public ::testing::Test
   ScratchFolder scratch_;
 
  private:
-  static ScratchFolder* made_;
+  static ScratchFolder* made;
 };
 
-ScratchFolder* RunIndex::made_ = nullptr;
+ScratchFolder* RunIndex::made = nullptr;
 
 TEST_F(RunIndex, ExportsAreWrittenWhereAskedFor)
 {

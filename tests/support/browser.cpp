@@ -16,7 +16,7 @@ namespace traverse::testing
 {
 namespace
 {
-constexpr int kAnswer_ms = 60'000;
+constexpr int kPatience = 60'000;  // ms
 }  // namespace
 
 Browser::Browser()
@@ -82,7 +82,7 @@ Browser::Json Browser::receive()
     pollfd ready = {read_, POLLIN, 0};
     char part[65536];
     const ssize_t got =
-        ::poll(&ready, 1, kAnswer_ms) > 0 ? ::read(read_, part, sizeof part) : ssize_t{0};
+        ::poll(&ready, 1, kPatience) > 0 ? ::read(read_, part, sizeof part) : ssize_t{0};
     if (got <= 0)
     {
       throw std::runtime_error("the browser does not answer");

@@ -35,7 +35,7 @@ struct RosVectorAllocator : std::allocator<T>
   }
 
   template <class U>
-  struct rebind
+  struct rebind  // NOLINT(readability-identifier-naming): the standard's name
   {
     using other = RosVectorAllocator<U>;
   };
@@ -45,7 +45,7 @@ struct RosVectorAllocator : std::allocator<T>
 struct RosAllocator : std::allocator<void>
 {
   template <class T>
-  struct rebind
+  struct rebind  // NOLINT(readability-identifier-naming): the standard's name
   {
     using other =
         std::conditional_t<std::is_same_v<T, char>, std::allocator<char>, RosVectorAllocator<T>>;

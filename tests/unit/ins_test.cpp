@@ -173,4 +173,42 @@ TEST(Ins, NoPosesAreMadeUpInAGap)
     EXPECT_TRUE(pose.time <= at(2.9) || pose.time >= at(6.0));
   }
 }
+
+TEST(Ins, StepsFromOneAntennaToAnotherAreNoWay)
+{
+  // Straight east at 1 m/s: two antennas 2 m apart across, their fixes 0.05 s apart.
+  std::vector<GpsFix> fixes;
+  for (int i = 0; i < 100; ++i)
+  {
+    const double t_s = 0.05 * i;
+    const Eigen::Vector3d antenna(0, i % 2 == 0 ? 1 : -1, 1);
+    fixes.push_back(
+        {at(t_s), placeAt(kHere, Eigen::Vector3d(t_s, 0, 0) + antenna), true, antenna,
+         static_cast<uint32_t>(i % 2)});
+  }
+  const InsPoses way = insPoses(fixes, {}, {});
+  EXPECT_EQ(way.fixes_of_others, 50U);
+  ASSERT_GT(way.poses.size(), 20U);
+  for (const StampedPose& pose : way.poses)
+  {
+    EXPECT_GT(pose.T_map_base.linear()(0, 0), 0.9999) << "it heads east";
+  }
+}
+
+TEST(Ins, ASlowReceiverHasPosesBetweenItsFixes)
+{
+  std::vector<GpsFix> fixes;
+  std::vector<ImuSample> samples;
+  for (int i = 0; i <= 200; ++i)
+  {
+    const double t_s = 0.1 * i;
+    samples.push_back({at(t_s), Eigen::Matrix3d(onCircle(t_s).linear()), std::nullopt});
+    if (i % 20 == 0)
+    {
+      fixes.push_back({at(t_s), placeAt(kHere, onCircle(t_s) * kAntenna), true, kAntenna});
+    }
+  }
+  const InsPoses way = insPoses(fixes, samples, {});
+  EXPECT_GT(way.poses.size(), 190U);  // 2 s between fixes, max_pose_age_s is 1
+}
 }  // namespace

@@ -33,6 +33,10 @@ const KnownFormat& formatOf(const ImportCommand& command)
   {
     throw ImportError(input.string() + ": no such file or folder");
   }
+  if (!std::filesystem::is_regular_file(input) && !std::filesystem::is_directory(input))
+  {
+    throw ImportError(input.string() + ": is neither a file nor a folder");
+  }
   const std::vector<KnownFormat>& all = knownFormats();
   const auto format = std::find_if(
       all.begin(), all.end(),

@@ -166,6 +166,14 @@ ParsedImport parseImportCommand(int argc, const char* const* argv)
   try
   {
     cli.parse(argc, argv);
+    if (command.output.filename().empty())
+    {
+      throw CLI::ValidationError("--output", "names no file");
+    }
+    if (!(command.params.from_s < command.params.to_s))
+    {
+      throw CLI::ValidationError("--to", "is not after --from");
+    }
   }
   catch (const CLI::ParseError& e)
   {

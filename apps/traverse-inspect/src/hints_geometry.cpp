@@ -3,6 +3,8 @@
 #include "evidence.h"
 #include "log_summary.h"
 
+#include <traverse/diagnosis/travel.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +19,8 @@ constexpr double kLean_deg = 1.0;   // less is the road, or the load
 constexpr double kApart_m = 0.05;   // two sensors on one ground
 constexpr double kLowest_m = 0.02;  // no sensor is nearer to the ground
 constexpr double kHighest_m = 20;
+constexpr double kNoGround_deg = 5;  // what leans more may be something else
+constexpr double kLongWay_m = 50;    // on a shorter one the road may lean so
 
 /** True where the ranges are nobody's metres. */
 bool hintAtUnits(const std::string& name, const ScanSensor& sensor, Hints& hints)
@@ -104,7 +108,7 @@ std::string leanText(const GroundSeen& seen)
   return text;
 }
 
-void hintAtGround(const std::string& name, const GroundSeen& seen, Hints& hints)
+void hintAtGround(const std::string& name, const GroundSeen& seen, double way_m, Hints& hints)
 {
   const std::map<std::string, double> values = {
       {"sensor_m", seen.sensor_m},
@@ -120,23 +124,32 @@ void hintAtGround(const std::string& name, const GroundSeen& seen, Hints& hints)
          values});
     return;
   }
+  const std::string lean = leanText(seen);
+  if (std::max(std::abs(seen.pitch_deg), std::abs(seen.roll_deg)) > kNoGround_deg)
+  {
+    hints.push_back(
+        {"ground", name, Weight::open,
+         fmt::format(
+             "a plane {:.2f} m below it, but {}: a table, a ramp, or a mount that its sensorPose "
+             "does not have",
+             seen.sensor_m, lean),
+         values});
+    return;
+  }
   hints.push_back(
       {"ground", name, Weight::fact,
        fmt::format(
-           "it is {:.2f} m above the ground that it sees; by it the vehicle's reference is {:.2f} "
-           "m "
-           "above the ground: [Vehicle] base_height_m = {:.2f}",
+           "it is {:.2f} m above the ground that it sees, the vehicle's reference {:.2f} m: "
+           "[Vehicle] base_height_m = {:.2f}",
            seen.sensor_m, -seen.offset_m, -seen.offset_m),
        values});
-  const std::string lean = leanText(seen);
   if (lean.empty())
   {
     hints.push_back({"ground_lean", name, Weight::fine, "the ground is level under it", values});
     return;
   }
-  constexpr size_t kFewScans = 5;  // may stand on a slope
   hints.push_back(
-      {"ground_lean", name, seen.scans < kFewScans ? Weight::fact : Weight::suspicion,
+      {"ground_lean", name, way_m < kLongWay_m ? Weight::fact : Weight::suspicion,
        fmt::format(
            "{} (by {:.1f} deg from scan to scan): a tilted mount that its sensorPose does not "
            "have, or a slope all along",
@@ -172,6 +185,7 @@ void hintAtPair(
 
 void hintAtGeometry(const Evidence& evidence, Hints& hints)
 {
+  const double way_m = diagnosis::travelOf(evidence.track).distance_m;
   std::vector<std::pair<std::string, GroundSeen>> level;
   for (const auto& [label, sensor] : evidence.sensors)
   {
@@ -184,7 +198,7 @@ void hintAtGeometry(const Evidence& evidence, Hints& hints)
     }
     if (const auto seen = groundOf(sensor))
     {
-      hintAtGround(name, *seen, hints);
+      hintAtGround(name, *seen, way_m, hints);
       level.emplace_back(name, *seen);
     }
     else if (sensor.tilted.size() * 2 > sensor.looked_at)

@@ -14,6 +14,7 @@ namespace traverse::app
 namespace
 {
 using diagnosis::BestFit;
+constexpr double kFar_m = 3;  // a shorter way tells no direction
 
 void hintAtTrack(const Evidence& evidence, Hints& hints)
 {
@@ -48,7 +49,6 @@ void hintAtTrack(const Evidence& evidence, Hints& hints)
          "no ground vehicle is so fast: positions are not metres, or stamps not seconds",
          {{"top_speed_mps", travel.top_speed_mps}}});
   }
-  constexpr double kFar_m = 3;
   constexpr double kAside_deg = 20;
   constexpr double kBack_deg = 160;
   constexpr double kMostly = 0.8;
@@ -139,6 +139,7 @@ void hintAtWhatCannotBeTold(
     const std::string& name,
     const std::optional<BestFit>& time,
     const std::optional<BestFit>& heading,
+    double way_m,
     Hints& hints)
 {
   if (!time || !heading)
@@ -155,7 +156,7 @@ void hintAtWhatCannotBeTold(
          "its clock cannot be told from this drive: too few bends",
          {{"contrast", time->contrast}}});
   }
-  if (!heading->canTell())
+  if (!heading->canTell() || way_m <= kFar_m)
   {
     hints.push_back(
         {"drive",
@@ -180,6 +181,7 @@ void hintAtPoses(const Evidence& evidence, Hints& hints)
     return;
   }
   hintAtTrack(evidence, hints);
+  const double way_m = diagnosis::travelOf(evidence.track).distance_m;
   Offsets offsets;
   for (const auto& [label, sensor] : evidence.sensors)
   {
@@ -191,11 +193,11 @@ void hintAtPoses(const Evidence& evidence, Hints& hints)
     {
       offsets.emplace_back(name, *time);
     }
-    if (heading && heading->canTell())
+    if (heading && heading->canTell() && way_m > kFar_m)
     {
       hintAtHeading(name, *heading, hints);
     }
-    hintAtWhatCannotBeTold(name, time, heading, hints);
+    hintAtWhatCannotBeTold(name, time, heading, way_m, hints);
   }
   if (!offsets.empty())
   {

@@ -182,6 +182,13 @@ Json diffOf(
 Json diffJson(
     const std::filesystem::path& a, const std::filesystem::path& b, const DiffTolerance& tolerance)
 {
+  for (const std::filesystem::path& input : {a, b})
+  {
+    if (std::filesystem::is_regular_file(input) && input.extension() != ".traverse")
+    {
+      throw formats::FormatError("'" + input.string() + "' is no map (*.traverse)");
+    }
+  }
   const std::vector<std::filesystem::path> files_a = mapFiles(a);
   const std::vector<std::filesystem::path> files_b = mapFiles(b);
   if (files_a.size() != files_b.size())

@@ -4,6 +4,7 @@
 
 #include <traverse/common_app/interrupt.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace traverse::app
@@ -76,6 +77,19 @@ void noteWhatIsMissing(RunMetrics& metrics)
     metrics.warnings.push_back(fmt::format(
         "{} of {} scans are not corrected for motion: no poses at the times of their points",
         skewed, metrics.scans));
+  }
+  const bool has_poses = std::any_of(
+      metrics.sensors.begin(), metrics.sensors.end(),
+      [](const logs::SensorTimes& sensor)
+      {
+        return sensor.count > 1 &&
+               (sensor.type == "CObservationRobotPose" || sensor.type == "CObservationOdometry" ||
+                sensor.type == "CActionRobotMovement2D");
+      });
+  if (metrics.pose_source == "identity" && metrics.scans > 1 && has_poses)
+  {
+    metrics.warnings.emplace_back(
+        "the log has poses, but [Poses] source = identity takes the robot for standing still");
   }
   for (const MapMetrics& map : metrics.maps)
   {

@@ -15,11 +15,13 @@ namespace traverse::diagnosis
 namespace
 {
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kNear_m = 0.1;       // a point so near to a plane lies on it
-constexpr double kBelow_m = 0.4;      // and so far below it speaks against it
-constexpr double kMostBelow = 0.03;   // share of points that may
-constexpr double kLeastShare = 0.1;   // of the points that a ground must have
-constexpr size_t kMostPoints = 3000;  // looked at
+constexpr double kNear_m = 0.1;             // a point so near to a plane lies on it
+constexpr double kBelow_m = 0.4;            // and so far below it speaks against it
+constexpr double kMostBelow = 0.03;         // share of points that may
+constexpr double kLeastShare = 0.1;         // of the points that a ground must have,
+constexpr double kLeastShareAround = 0.03;  // or where it is seen all around
+constexpr size_t kMostOfThem = 5;           // sectors; a wall along the road has 4 at most
+constexpr size_t kMostPoints = 3000;        // looked at
 constexpr int kTries = 400;
 constexpr size_t kSectors = 8;
 
@@ -95,7 +97,6 @@ bool allowed(
   {
     return plane.up.z() >= std::cos(GroundPlane::kMostTilt_deg * kDegree);
   }
-  constexpr size_t kMostOfThem = 5;  // a wall along the road has 4 at most
   return sectorsSeen(plane, points) >= kMostOfThem;
 }
 
@@ -214,7 +215,10 @@ std::optional<GroundPlane> findGround(const points::Scan& scan, GroundSearch sea
     return std::nullopt;
   }
   const Candidate plane = bestPlane(points, search);
-  if (static_cast<double>(plane.on) < kLeastShare * static_cast<double>(points.size()))
+  const bool around = sectorsSeen(plane, points) >= kMostOfThem;
+  const double least =
+      (around ? kLeastShareAround : kLeastShare) * static_cast<double>(points.size());
+  if (static_cast<double>(plane.on) < least)
   {
     return std::nullopt;
   }

@@ -5,6 +5,7 @@
 #include <traverse/poses/ins.h>
 
 #include <algorithm>
+#include <map>
 
 namespace traverse::poses
 {
@@ -20,6 +21,35 @@ void sortByTime(std::vector<T>& all)
   const auto repeated =
       std::unique(all.begin(), all.end(), [](const T& a, const T& b) { return a.time == b.time; });
   all.erase(repeated, all.end());
+}
+
+/** Leaves the fixes of the receiver with most of them; returns how many are gone. */
+size_t keepOneReceiver(std::vector<GpsFix>& fixes)
+{
+  std::map<uint32_t, size_t> fixes_of;
+  for (const GpsFix& fix : fixes)
+  {
+    ++fixes_of[fix.receiver];
+  }
+  const auto most = std::max_element(
+      fixes_of.begin(), fixes_of.end(),
+      [](const auto& a, const auto& b) { return a.second < b.second; });
+  return std::erase_if(fixes, [&](const GpsFix& fix) { return fix.receiver != most->first; });
+}
+
+/** The longest time between two fixes over which the way is filled in: a receiver that is slower
+ * than max_pose_age_s has poses between its fixes all the same. */
+double longestGap_s(const std::vector<StampedPose>& at_fixes, double max_age_s)
+{
+  constexpr double kPeriods = 2.5;
+  constexpr double kMost_s = 5;
+  if (at_fixes.size() < 2)
+  {
+    return max_age_s;
+  }
+  const double mean_s = secondsBetween(at_fixes.front().time, at_fixes.back().time) /
+                        static_cast<double>(at_fixes.size() - 1);
+  return std::max(max_age_s, std::min(kMost_s, kPeriods * mean_s));
 }
 
 /** Fixes of receivers that tell no height would jump between it and none. */
@@ -96,6 +126,7 @@ InsPoses insPoses(
     std::vector<GpsFix> fixes, std::vector<ImuSample> samples, const PoseParams& params)
 {
   InsPoses result;
+  result.fixes_of_others = keepOneReceiver(fixes);
   sortByTime(fixes);
   sortByTime(samples);
   if (fixes.empty())
@@ -123,7 +154,8 @@ InsPoses insPoses(
     }
   }
   result.fixes_without_heading = on_plane.size() - at_fixes.size();
-  result.poses = withBetween(at_fixes, samples, attitude, params.max_pose_age_s);
+  result.poses =
+      withBetween(at_fixes, samples, attitude, longestGap_s(at_fixes, params.max_pose_age_s));
   return result;
 }
 }  // namespace traverse::poses

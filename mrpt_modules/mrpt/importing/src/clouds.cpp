@@ -102,9 +102,13 @@ poses::TimeNs timeByRate(const ImportParams& params, size_t number)
 }
 
 /** The name's time, or the cloud's own (for which it is read once more: a log is in the order of
- * time), or what the rate makes. Nothing for a cloud that cannot be read. */
+ * time), or what the rate makes. Nothing for a cloud that cannot be read, which is reported. */
 std::optional<poses::TimeNs> timeOf(
-    const fs::path& file, size_t number, bool own_clock, const ImportParams& params)
+    const fs::path& file,
+    size_t number,
+    bool own_clock,
+    const ImportParams& params,
+    ImportReport& report)
 {
   const auto named = stampInName(stemOf(file));
   if (named || !own_clock)
@@ -115,8 +119,9 @@ std::optional<poses::TimeNs> timeOf(
   {
     return formats::readCloud(file).stamp_ns.value_or(timeByRate(params, number));
   }
-  catch (const std::exception&)
+  catch (const std::exception& e)
   {
+    addDamage(e.what(), report);
     return std::nullopt;
   }
 }
@@ -140,10 +145,9 @@ std::unique_ptr<Source> openClouds(const ImportParams& params)
   for (size_t i = 0; i < files.size(); ++i)
   {
     any_named = any_named || stampInName(stemOf(files[i]));
-    const auto stamp = timeOf(files[i], i, common.own_clock, params);
+    const auto stamp = timeOf(files[i], i, common.own_clock, params, report);
     if (!stamp)
     {
-      addDamage(files[i].string() + ": cannot be read", report);
       continue;
     }
     const SensorAt sensor = {common.label, common.T_base_sensor, *stamp};

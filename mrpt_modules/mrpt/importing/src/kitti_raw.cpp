@@ -198,6 +198,11 @@ void addOxts(const Drive& drive, std::vector<Step>& steps, ImportReport& report)
   const Eigen::Isometry3d T_base_imu = drive.calibration.T_lidar_imu
                                            ? drive.T_base_lidar * *drive.calibration.T_lidar_imu
                                            : Eigen::Isometry3d::Identity();
+  if (!fs::exists(drive.params.input / "oxts" / "timestamps.txt"))
+  {
+    report.warnings.emplace_back(
+        "oxts has no timestamps.txt: GPS and IMU count from --start-time, whatever the clouds do");
+  }
   const FrameTimes times(drive.params.input / "oxts", drive.params);
   const auto files = filesOf(folder, {".txt"});
   for (size_t i = 0; i < files.size(); ++i)

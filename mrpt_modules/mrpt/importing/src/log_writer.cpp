@@ -40,9 +40,12 @@ formats::CloudKey keyOf(const mrpt::obs::CObservationPointCloud& cloud)
 
 const std::filesystem::path& checkTarget(const std::filesystem::path& log, bool replace)
 {
-  if (!replace && std::filesystem::exists(std::filesystem::symlink_status(log)))
+  for (const std::filesystem::path& file : {log, formats::channelsFileOf(log)})
   {
-    throw formats::FileError(log, "is there already; --force replaces it");
+    if (!replace && std::filesystem::exists(std::filesystem::symlink_status(file)))
+    {
+      throw formats::FileError(file, "is there already; --force replaces it");
+    }
   }
   return log;
 }
@@ -94,8 +97,8 @@ void LogWriter::commit()
   state_->file.finish();
   if (hasChannels())
   {
-    // First: a log must not stand without them. Beside an old log they do no harm, as they carry
-    // their clouds' check sums.
+    // First: the new log must not stand without them. Killed between the two, an old log that is
+    // being replaced stands without its own; these do it no harm, as they carry check sums.
     state_->channels->finish();
     state_->channels->commit();
   }

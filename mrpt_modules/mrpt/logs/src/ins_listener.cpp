@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace traverse::logs
 {
@@ -170,6 +171,10 @@ class InsListener : public FrameListener
     {
       frames().add(pose);
     }
+    for (size_t i = 0; i < way.fixes_of_others; ++i)
+    {
+      count(Counted::rejected, "CObservationGPS", kOtherReceiver);
+    }
     for (size_t i = 0; i < way.fixes_without_heading; ++i)
     {
       count(Counted::rejected, "CObservationGPS", "no heading is known at its time");
@@ -191,6 +196,10 @@ class InsListener : public FrameListener
   /** Why it is not taken; empty where it is. */
   std::string take(const CObservationGPS& gps, poses::TimeNs stamp)
   {
+    if (!params_.ins_receiver.empty() && gps.sensorLabel != params_.ins_receiver)
+    {
+      return kOtherReceiver;
+    }
     const auto reading = readingOf(gps);
     const Eigen::Isometry3d T_base_sensor = observations::toIsometry(gps.sensorPose);
     if (!reading || !isPlace(reading->place) || !T_base_sensor.matrix().allFinite())
@@ -202,7 +211,9 @@ class InsListener : public FrameListener
     {
       return fmt::format("its fix is of quality {}", reading->quality);
     }
-    fixes_.push_back({stamp, reading->place, reading->has_height, T_base_sensor.translation()});
+    fixes_.push_back(
+        {stamp, reading->place, reading->has_height, T_base_sensor.translation(),
+         receiverOf(gps.sensorLabel)});
     keep(stamp, attitudeOf(gps), T_base_sensor, std::nullopt);
     return "";
   }
@@ -235,7 +246,22 @@ class InsListener : public FrameListener
     return true;
   }
 
+  /** A number for a label; more receivers than any vehicle has share the last. */
+  uint32_t receiverOf(const std::string& label)
+  {
+    constexpr uint32_t kMost = 64;
+    const auto known = receivers_.find(label);
+    if (known != receivers_.end())
+    {
+      return known->second;
+    }
+    const auto number = std::min(kMost, static_cast<uint32_t>(receivers_.size()));
+    return number < kMost ? receivers_[label] = number : kMost;
+  }
+
+  static constexpr const char* kOtherReceiver = "of another receiver (ins_receiver names one)";
   poses::PoseParams params_;
+  std::map<std::string, uint32_t> receivers_;  // by label
   std::vector<GpsFix> fixes_;
   std::vector<ImuSample> samples_;
 };

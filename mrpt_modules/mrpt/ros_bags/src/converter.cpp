@@ -15,14 +15,14 @@ constexpr int64_t kNsPerS = 1'000'000'000;
 /** Simulators count from 0; readers of logs take only times from 1980 to 2100 for a clock's. */
 int64_t clockTime(int64_t stamp_ns, Notes& notes)
 {
-  constexpr int64_t k1980_s = 315'532'800;
-  constexpr int64_t k2000_s = 946'684'800;
-  if (stamp_ns >= k1980_s * kNsPerS)
+  constexpr int64_t kSeconds1980 = 315'532'800;
+  constexpr int64_t kSeconds2000 = 946'684'800;
+  if (stamp_ns >= kSeconds1980 * kNsPerS)
   {
     return stamp_ns;
   }
   notes.warn("stamps before 1980 (a simulator's): they are counted from 2000-01-01");
-  return stamp_ns + k2000_s * kNsPerS;
+  return stamp_ns + kSeconds2000 * kNsPerS;
 }
 }  // namespace
 

@@ -38,7 +38,8 @@ struct GroundPlane
 
 /** The plane with most of the points, and hardly any below it, by RANSAC (Fischler and Bolles 1981)
  * of fixed seed and a least-squares fit to its points; points at 1 to 30 m of the sensor count.
- * Nothing where no plane has a tenth of them, and for fewer than 100 points. */
+ * Nothing where no plane has a tenth of them (3 % of them, seen all around the sensor), and for
+ * fewer than 100 points. */
 std::optional<GroundPlane> findGround(const points::Scan& scan, GroundSearch search);
 
 /** What several scans of one sensor agree on: medians, and how far half of the scans are from

@@ -45,6 +45,7 @@ struct PoseParams
   std::vector<double> ins_origin;
   std::vector<double> ins_fix_qualities = {1, 2, 3, 4, 5, 9};
   InsHeading ins_heading = InsHeading::imu;
+  std::string ins_receiver;
 
   TrackLimits limits() const { return {max_pose_age_s, max_speed_mps, max_turn_dps}; }
 };
@@ -104,6 +105,12 @@ void visitPoseParams(P& p, F&& f)
           "for source = ins: imu: its yaw counts from east, counter-clockwise; course: its yaw has "
           "an unknown offset, told from the way driven (forwards)"},
       p.ins_heading);
+  f(
+      Option{
+          "ins_receiver",
+          "for source = ins: label of the GPS receiver to take; empty: the one with most good "
+          "fixes"},
+      p.ins_receiver);
 }
 
 template <class F>
