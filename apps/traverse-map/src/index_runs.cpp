@@ -164,7 +164,7 @@ void checkReplaceable(const fs::path& file, bool force)
 fs::path writeIndex(const fs::path& folder, bool force)
 {
   std::vector<fs::path> paths = runsIn(folder);
-  const fs::path file = folder / "index.html";
+  fs::path file = folder / "index.html";
   checkReplaceable(file, force);
   std::string note;
   if (paths.size() > kMostRuns)

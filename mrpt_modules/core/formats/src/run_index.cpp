@@ -37,10 +37,14 @@ std::string dateOf(double stamp_s)
   {
     return "";
   }
-  using namespace std::chrono;
-  const sys_seconds time{seconds(static_cast<int64_t>(stamp_s))};
-  const year_month_day day{floor<days>(time)};
-  const auto minutes_of_day = duration_cast<minutes>(time - floor<days>(time)).count();
+  using std::chrono::days;
+  using std::chrono::sys_seconds;
+  using std::chrono::year_month_day;
+  const sys_seconds time{std::chrono::seconds(static_cast<int64_t>(stamp_s))};
+  const year_month_day day{std::chrono::floor<days>(time)};
+  const auto minutes_of_day =
+      std::chrono::duration_cast<std::chrono::minutes>(time - std::chrono::floor<days>(time))
+          .count();
   return fmt::format(
       "{:04}-{:02}-{:02} {:02}:{:02}", int{day.year()}, unsigned{day.month()}, unsigned{day.day()},
       minutes_of_day / 60, minutes_of_day % 60);

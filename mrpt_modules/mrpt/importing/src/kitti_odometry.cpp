@@ -122,7 +122,8 @@ std::vector<std::vector<double>> rowsOf(const fs::path& file)
     std::vector<double> row(begin, begin + static_cast<std::ptrdiff_t>(columns));
     if (columns == 12)
     {
-      row.insert(row.begin(), static_cast<double>(i / columns));
+      const size_t frame = i / columns;
+      row.insert(row.begin(), static_cast<double>(frame));
     }
     rows.push_back(std::move(row));
   }

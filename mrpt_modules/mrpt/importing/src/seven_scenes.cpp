@@ -41,7 +41,7 @@ fs::path colourOf(const fs::path& folder, const std::string& frame)
 {
   for (const char* ending : {".color.png", ".color.jpg"})
   {
-    const fs::path file = folder / (frame + ending);
+    fs::path file = folder / (frame + ending);
     if (fs::exists(file))
     {
       return file;
