@@ -79,6 +79,7 @@ TEST(LocalPlane, UndoesAnIndependentFormula)
 TEST(Ins, AttitudeAndLeverArmAreRespected)
 {
   std::vector<ImuSample> imu;
+  imu.reserve(1000);
   for (int i = 0; i < 1000; ++i)
   {
     imu.push_back({at(0.01 * i), onCircle(0.01 * i).linear(), {}});
@@ -95,6 +96,7 @@ TEST(Ins, AttitudeAndLeverArmAreRespected)
 TEST(Ins, AnUnknownNorthIsToldFromTheWayDriven)
 {
   std::vector<ImuSample> imu;
+  imu.reserve(1000);
   for (int i = 0; i < 1000; ++i)
   {
     const Eigen::Matrix3d elsewhere = rotationBy(1.0, Eigen::Vector3d::UnitZ());
@@ -112,6 +114,7 @@ TEST(Ins, AnUnknownNorthIsToldFromTheWayDriven)
 TEST(Ins, CourseAndTurnRateDoWithoutAttitude)
 {
   std::vector<ImuSample> gyro;
+  gyro.reserve(1000);
   for (int i = 0; i < 1000; ++i)
   {
     gyro.push_back({at(0.01 * i), {}, 0.25 + 0.02});  // with a bias of 1.1 deg/s
@@ -164,6 +167,7 @@ TEST(Ins, NoPosesAreMadeUpInAGap)
   auto fixes = fixesOf(onCircle, 100);
   fixes.erase(fixes.begin() + 30, fixes.begin() + 60);
   std::vector<ImuSample> imu;
+  imu.reserve(1000);
   for (int i = 0; i < 1000; ++i)
   {
     imu.push_back({at(0.01 * i), onCircle(0.01 * i).linear(), {}});
