@@ -23,7 +23,7 @@ using importing::ImportError;
 
 void tell(const std::string& kind, const std::string& message)
 {
-  fmt::print(stderr, "traverse-import: {}: {}\n", kind, printable(message));
+  fmt::print(stderr, "traverse-import: {}: {}\n", kind, forTerminal(message));
 }
 
 const KnownFormat& formatOf(const ImportCommand& command)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "summary.h"
 
+#include <traverse/options/untrusted_text.h>
+
 #include <cstdio>
 #include <fmt/format.h>
 
@@ -23,20 +25,15 @@ void tellSome(const char* kind, const List& list, F&& text_of)
       fmt::print(stderr, "traverse-import: {}: and {} more\n", kind, list.size() - kMostLines);
       return;
     }
-    fmt::print(stderr, "traverse-import: {}: {}\n", kind, printable(text_of(item)));
+    fmt::print(stderr, "traverse-import: {}: {}\n", kind, forTerminal(text_of(item)));
   }
 }
 }  // namespace
 
-std::string printable(const std::string& text)
+std::string forTerminal(const std::string& text)
 {
   constexpr size_t kLongest = 300;
-  std::string clean = text.substr(0, kLongest);
-  for (char& c : clean)
-  {
-    c = c < ' ' || c > '~' ? '?' : c;
-  }
-  return clean;
+  return options::printable(text, kLongest);
 }
 
 std::string summaryOf(const importing::ImportReport& report)
@@ -50,7 +47,7 @@ std::string summaryOf(const importing::ImportReport& report)
     {
       return text + fmt::format("and {} more\n", report.imported.size() - kMostKinds);
     }
-    text += fmt::format("{:>8}  {}\n", count, printable(what));
+    text += fmt::format("{:>8}  {}\n", count, forTerminal(what));
   }
   return text;
 }

@@ -10,7 +10,7 @@ namespace traverse::app
 {
 /** A text of the input, fit for a terminal: control characters and other bytes that are not ASCII
  * shown as ?, at most 300 bytes. */
-std::string printable(const std::string& text);
+std::string forTerminal(const std::string& text);
 
 /** What was imported, by label and class; one line each. */
 std::string summaryOf(const importing::ImportReport& report);

@@ -5,6 +5,7 @@
 #include <traverse/formats/safe_file.h>
 #include <traverse/formats/trajectory.h>
 #include <traverse/geometry/lattice.h>
+#include <traverse/options/untrusted_text.h>
 
 #include <cmath>
 #include <fmt/format.h>
@@ -31,12 +32,7 @@ struct Row
 std::string shown(std::string_view word)
 {
   constexpr size_t kLongest = 40;
-  std::string text(word.substr(0, kLongest));
-  for (char& c : text)
-  {
-    c = c >= ' ' && c <= '~' ? c : '?';
-  }
-  return text;
+  return options::printable(word, kLongest);
 }
 
 [[noreturn]] void fail(const NamedText& in, size_t line, const std::string& problem)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sandbox.h"
 
+#include <traverse/options/untrusted_text.h>
+
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -180,12 +182,8 @@ std::string ReaderProcess::lastWords() const
     return "";
   }
   const size_t begin = said_.find_last_of('\n', end);
-  std::string line = said_.substr(begin + 1, end - begin);
-  for (char& c : line)
-  {
-    c = c < ' ' || c > '~' ? '?' : c;
-  }
-  return ", its last words: " + line.substr(0, 200);
+  const std::string_view line = std::string_view(said_).substr(begin + 1, end - begin);
+  return ", its last words: " + options::printable(line, 200);
 }
 
 std::string ReaderProcess::finish()

@@ -4,6 +4,7 @@
 
 #include <traverse/geometry/lattice.h>
 #include <traverse/options/option.h>
+#include <traverse/options/untrusted_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,6 @@ std::string sensorsOf(const std::vector<std::string>& labels, uint32_t bits)
              (labels[i].empty() ? "a sensor without label" : labels[i]);
     }
   }
-  std::replace_if(
-      all.begin(), all.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return all;
+  return options::printable(all);
 }
 }  // namespace traverse::traversability_grid

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sensor_census.h"
 
+#include <traverse/options/untrusted_text.h>
+
 #include <algorithm>
 
 namespace traverse::logs
@@ -9,6 +11,7 @@ namespace traverse::logs
 namespace
 {
 constexpr size_t kMostSensors = 256;
+constexpr size_t kLongest = 200;  // bytes of a name
 
 /** The same place, or both none. */
 bool same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b)
@@ -18,18 +21,11 @@ bool same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b)
 }
 }  // namespace
 
-std::string printable(const std::string& text)
-{
-  std::string clean = text.substr(0, 200);
-  std::replace_if(
-      clean.begin(), clean.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return clean;
-}
-
 SensorCensus::Place& SensorCensus::placeOf(
     const SightingFrame& sighting, std::vector<SensorTimes>& sensors)
 {
-  std::pair<std::string, std::string> key = {printable(sighting.label), printable(sighting.type)};
+  std::pair<std::string, std::string> key = {
+      options::printable(sighting.label, kLongest), options::printable(sighting.type, kLongest)};
   if (places_.size() >= kMostSensors && places_.count(key) == 0)
   {
     key = {"others", "others"};

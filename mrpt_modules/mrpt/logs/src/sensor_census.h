@@ -29,7 +29,4 @@ class SensorCensus
   std::map<std::pair<std::string, std::string>, Place> places_;  // by label and class
   size_t stamps_ = 0;
 };
-
-/** At most 200 bytes of it, with '?' for what cannot be printed. */
-std::string printable(const std::string& text);
 }  // namespace traverse::logs

@@ -2,21 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "session.h"
 
+#include <traverse/options/untrusted_text.h>
+
 #include <fmt/format.h>
 
 namespace traverse::logs
 {
 namespace
 {
-constexpr size_t kMostKeys = 256;
-
-/** One more of a kind; what a hostile log makes up does not fill the memory. */
-void countKey(std::map<std::string, uint64_t>& counts, const std::string& key)
-{
-  const std::string clean = printable(key);
-  const bool room = counts.size() < kMostKeys || counts.count(clean) > 0;
-  ++counts[room ? clean : "others"];
-}
+constexpr size_t kLongest = 200;  // bytes of a reason
 }  // namespace
 
 Session::Session(
@@ -99,13 +93,13 @@ void Session::count(const CountFrame& count)
   switch (count.what)
   {
     case Counted::delivered:
-      countKey(report_.observations, count.type);
+      options::countBounded(report_.observations, count.type);
       break;
     case Counted::ignored:
-      countKey(report_.ignored, count.type);
+      options::countBounded(report_.ignored, count.type);
       break;
     case Counted::rejected:
-      countKey(report_.rejected, count.type + ": " + count.reason);
+      options::countBounded(report_.rejected, count.type + ": " + count.reason);
       break;
     case Counted::repeated_stamp:
       ++report_.repeated_stamps;
@@ -117,13 +111,13 @@ void Session::count(const CountFrame& count)
       ++report_.bad_stamps;
       break;
     case Counted::channels:
-      countKey(report_.channels, count.reason);
+      options::countBounded(report_.channels, count.reason);
       break;
     case Counted::channels_damage:
-      report_.channels_damage = printable(count.reason);
+      report_.channels_damage = options::printable(count.reason, kLongest);
       break;
     case Counted::note:
-      report_.notes.emplace(count.type, printable(count.reason));
+      report_.notes.emplace(count.type, options::printable(count.reason, kLongest));
       break;
   }
 }

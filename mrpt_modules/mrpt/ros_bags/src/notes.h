@@ -3,6 +3,7 @@
 #pragma once
 
 #include <traverse/importing/source.h>
+#include <traverse/options/untrusted_text.h>
 
 #include <map>
 #include <set>
@@ -15,9 +16,12 @@ namespace traverse::ros_bags
 class Notes
 {
  public:
-  void imported(const std::string& what) { count(report_.imported, what); }
+  void imported(const std::string& what) { options::countBounded(report_.imported, what); }
 
-  void skipped(const std::string& reason, uint64_t n = 1) { count(report_.skipped, reason, n); }
+  void skipped(const std::string& reason, uint64_t n = 1)
+  {
+    options::countBounded(report_.skipped, reason, n);
+  }
 
   /** Each text is told once. */
   void warn(const std::string& text);
@@ -27,13 +31,7 @@ class Notes
   const importing::ImportReport& report() const { return report_; }
 
  private:
-  static void count(
-      std::map<std::string, uint64_t>& counts, const std::string& key, uint64_t n = 1);
-
   importing::ImportReport report_;
   std::set<std::string> told_;
 };
-
-/** Printable ASCII of at most 200 characters; whatever else stood there is a '?'. */
-std::string shown(const std::string& untrusted);
 }  // namespace traverse::ros_bags
