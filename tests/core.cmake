@@ -2,4 +2,5 @@
 traverse_test(unit options_test USES geometry)
 traverse_test(unit geometry_test USES geometry)
 traverse_test(unit pose_track_test USES poses)
+traverse_test(unit timing_test USES poses)
 traverse_test(unit deskew_test USES points)

@@ -2,5 +2,4 @@
 traverse_test(unit scan_to_map_test USES registration)
 traverse_test(unit ins_test USES poses)
 traverse_test(integration pose_sources_test USES logs LIBS nlohmann_json::nlohmann_json)
-target_sources(integration_pose_sources_test PRIVATE support/process.cpp)
 add_dependencies(integration_pose_sources_test traverse-map)

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/diagnosis/ground_plane.h>
-#include <traverse/diagnosis/timing.h>
 #include <traverse/diagnosis/travel.h>
 
 #include <gtest/gtest.h>
@@ -16,30 +15,6 @@ using namespace traverse;
 using namespace traverse::diagnosis;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr poses::TimeNs kMs = 1'000'000;
-
-TEST(Timing, TellsRateGapsAndOrder)
-{
-  std::vector<poses::TimeNs> stamps;
-  for (int i = 0; i < 20; ++i)
-  {
-    stamps.push_back((i < 10 ? 100 * i : 100 * i + 700) * kMs);
-  }
-  std::swap(stamps[3], stamps[4]);
-  stamps.push_back(stamps.back());
-  const Timing timing = timingOf(stamps);
-  EXPECT_DOUBLE_EQ(timing.rateHz(), 10);
-  EXPECT_DOUBLE_EQ(timing.longest_period_s, 0.8);
-  ASSERT_EQ(timing.gaps.size(), 1U);
-  EXPECT_EQ(timing.gaps[0].from, 900 * kMs);
-  EXPECT_EQ(timing.backward, 1U);
-  EXPECT_EQ(timing.repeated, 1U);
-}
-
-TEST(Timing, OfOneStampIsNothing)
-{
-  EXPECT_EQ(timingOf(std::vector<poses::TimeNs>{5, 5}).rateHz(), 0);
-  EXPECT_EQ(timingOf({}).median_period_s, 0);
-}
 
 TEST(Travel, TellsWhichAxisGoesAhead)
 {

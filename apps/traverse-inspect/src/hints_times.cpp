@@ -3,7 +3,7 @@
 #include "evidence.h"
 #include "log_summary.h"
 
-#include <traverse/diagnosis/timing.h>
+#include <traverse/poses/timing.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ void hintAtRate(const SensorTimes& sensor, Hints& hints)
 {
   constexpr double kSlowest_s = 100;  // scans further apart are nobody's
   constexpr double kFastest_s = 2e-5;
-  const diagnosis::Timing timing = diagnosis::timingOf(sensor.stamps);
+  const poses::Timing timing = poses::timingOf(sensor.stamps);
   const double period_s = timing.median_period_s;
   if (period_s > kSlowest_s || (period_s > 0 && period_s < kFastest_s))
   {
@@ -86,14 +86,14 @@ void hintAtRate(const SensorTimes& sensor, Hints& hints)
   }
   const auto longest = std::max_element(
       timing.gaps.begin(), timing.gaps.end(),
-      [](const diagnosis::Gap& a, const diagnosis::Gap& b) { return a.seconds() < b.seconds(); });
+      [](const poses::StampGap& a, const poses::StampGap& b) { return a.seconds() < b.seconds(); });
   hints.push_back(
       {"gaps",
        nameOf(sensor),
        Weight::suspicion,
        fmt::format(
            "silent {} times for more than {} periods, longest {:.2f} s from {}", timing.gaps.size(),
-           diagnosis::Timing::kGapPeriods, longest->seconds(), dateOf(longest->from)),
+           poses::Timing::kGapPeriods, longest->seconds(), dateOf(longest->from_ns)),
        {{"gaps", asDouble(timing.gaps.size())}, {"longest_s", longest->seconds()}}});
 }
 

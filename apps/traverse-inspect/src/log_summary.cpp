@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "log_summary.h"
 
-#include <traverse/diagnosis/timing.h>
 #include <traverse/observations/convert.h>
+#include <traverse/options/untrusted_text.h>
+#include <traverse/poses/timing.h>
 
 #include <algorithm>
 #include <ctime>
@@ -48,7 +49,7 @@ std::string poseText(const logs::SensorTimes& sensor)
 
 std::string timingText(const logs::SensorTimes& sensor)
 {
-  const diagnosis::Timing timing = diagnosis::timingOf(sensor.stamps);
+  const poses::Timing timing = poses::timingOf(sensor.stamps);
   std::string text;
   if (timing.median_period_s > 0)
   {
@@ -133,10 +134,8 @@ std::string dateOf(poses::TimeNs time)
 
 std::string shown(const std::string& untrusted)
 {
-  std::string text = untrusted.substr(0, 60);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
+  constexpr size_t kLongest = 60;
+  return options::printable(untrusted, kLongest);
 }
 
 std::string sensorName(const std::string& label, const std::string& type)
@@ -183,7 +182,7 @@ Json summaryJson(const std::string& name, const logs::LogReport& report, const S
   json["sensors"] = Json::array();
   for (const logs::SensorTimes& sensor : report.sensors)
   {
-    const diagnosis::Timing timing = diagnosis::timingOf(sensor.stamps);
+    const poses::Timing timing = poses::timingOf(sensor.stamps);
     json["sensors"].push_back(
         {{"label", sensor.label},
          {"class", sensor.type},

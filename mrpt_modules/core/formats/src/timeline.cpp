@@ -16,14 +16,8 @@ constexpr double kWidth = 720;
 constexpr double kRow = 66;
 constexpr double kBand = 26;  // of a row: the rate
 constexpr size_t kMostRows = 64;
-constexpr double kNsPerSecond = 1e9;
 
-/** Later minus earlier; exact for any two 64-bit stamps. */
-double secondsFrom(int64_t earlier, int64_t later)
-{
-  return static_cast<double>(static_cast<uint64_t>(later) - static_cast<uint64_t>(earlier)) /
-         kNsPerSecond;
-}
+using poses::secondsFrom;
 
 /** Where stamps stand on the page. */
 struct Axis
@@ -179,40 +173,20 @@ std::string scaleSvg(const std::optional<Axis>& axis, double top)
 
 StampRhythm rhythmOf(std::span<const int64_t> stamps_ns)
 {
-  constexpr double kPeriods = 3;
-  std::vector<int64_t> sorted(stamps_ns.begin(), stamps_ns.end());
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  poses::Timing timing = poses::timingOf(stamps_ns);
   StampRhythm rhythm;
-  if (sorted.size() < 2)
+  if (timing.median_period_s > 0)
   {
-    return rhythm;
+    rhythm.period_s = timing.median_period_s;
   }
-  std::vector<double> steps_s;
-  steps_s.reserve(sorted.size() - 1);
-  for (size_t i = 1; i < sorted.size(); ++i)
-  {
-    steps_s.push_back(secondsFrom(sorted[i - 1], sorted[i]));
-  }
-  std::vector<double> by_length = steps_s;
-  const auto middle = by_length.begin() + static_cast<std::ptrdiff_t>(by_length.size() / 2);
-  std::nth_element(by_length.begin(), middle, by_length.end());
-  rhythm.period_s = *middle;
-  for (size_t i = 0; i < steps_s.size(); ++i)
-  {
-    if (steps_s[i] > kPeriods * *rhythm.period_s)
-    {
-      rhythm.gaps.push_back({sorted[i], sorted[i + 1]});
-      rhythm.longest_gap_s = std::max(rhythm.longest_gap_s, steps_s[i]);
-    }
-  }
+  rhythm.gaps = std::move(timing.gaps);
   rhythm.gap_count = rhythm.gaps.size();
-  const auto length = [](const StampGap& g) { return secondsFrom(g.from_ns, g.to_ns); };
+  rhythm.longest_gap_s = rhythm.gaps.empty() ? 0 : timing.longest_period_s;
   if (rhythm.gaps.size() > StampRhythm::kMostGaps)
   {
     std::stable_sort(
         rhythm.gaps.begin(), rhythm.gaps.end(),
-        [&](const StampGap& a, const StampGap& b) { return length(a) > length(b); });
+        [](const StampGap& a, const StampGap& b) { return a.seconds() > b.seconds(); });
     rhythm.gaps.resize(StampRhythm::kMostGaps);
     std::sort(
         rhythm.gaps.begin(), rhythm.gaps.end(),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <traverse/formats/report.h>
+#include <traverse/poses/timing.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -12,14 +13,9 @@
 
 namespace traverse::formats
 {
-/** A pause between two stamps. */
-struct StampGap
-{
-  int64_t from_ns = 0;
-  int64_t to_ns = 0;
-};
+using poses::StampGap;
 
-/** The regularity of stamps that may come in any order. */
+/** The regularity of stamps that may come in any order, as a page shows it. */
 struct StampRhythm
 {
   std::optional<double> period_s;  //!< median of the steps forward in time; none below two stamps
