@@ -127,6 +127,25 @@ TEST(Doctor, FindsStampsInDisorder)
   EXPECT_TRUE(find(hintsAt(log), "poses", "log"));  // there are none, and it says so
 }
 
+TEST(Doctor, LooksAtNoMoreSensorsThanAnyRobotHas)
+{
+  std::string log;
+  for (int i = 0; i < 300; ++i)
+  {
+    auto scan = laserScan(0.1 * i);
+    scan.sensorLabel = "L" + std::to_string(i);
+    mrpt::obs::CObservationRobotPose pose;
+    pose.timestamp = scan.timestamp;
+    log += serialised(pose) + serialised(scan);
+  }
+  size_t sensors = 0;
+  for (const json& hint : hintsAt(log))
+  {
+    sensors += hint["key"] == "drive" ? 1 : 0;
+  }
+  EXPECT_EQ(sensors, 256U);
+}
+
 TEST(Doctor, RefusesAPoseFileThatIsNone)
 {
   const ScratchFolder scratch;

@@ -115,4 +115,20 @@ TEST_F(InspectMaps, DamagedArchivesAreRefused)
   EXPECT_EQ(diff("one/map.traverse", "bad.traverse").exit_code, 4);
   EXPECT_EQ(diff("one", "nowhere").exit_code, 4);
 }
+
+TEST_F(InspectMaps, MetricsNestedDeeperThanAnyStackAreNoMetrics)
+{
+  constexpr size_t kDeep = 300'000;
+  std::filesystem::create_directory(*scratch / "deep");
+  std::filesystem::copy(*scratch / "one/map.traverse", *scratch / "deep/map.traverse");
+  writeText(
+      *scratch / "deep/metrics.json",
+      "{\"problems\":[" + std::string(kDeep, '[') + std::string(kDeep, ']') + "]}");
+  for (const char* format : {"--quiet", "--json"})
+  {
+    const Finished ran = traverseInspect({*scratch / "deep", format});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("traversability_grid"));
+  }
+}
 }  // namespace

@@ -3,11 +3,17 @@
 #include <traverse/common_app/map_files.h>
 #include <traverse/common_app/why.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <iostream>
+#include <optional>
+#include <string_view>
 
 namespace traverse::app
+{
+namespace
 {
 std::optional<std::array<double, 2>> parsePlace(std::string_view text)
 {
@@ -45,5 +51,20 @@ std::string why(const std::filesystem::path& folder, const std::array<double, 2>
     }
   }
   return text;
+}
+}  // namespace
+
+ExitCode printWhy(
+    const std::string& program, const std::filesystem::path& folder, const std::string& place)
+{
+  const auto place_m = parsePlace(place);
+  if (!place_m)
+  {
+    fmt::print(
+        stderr, "{}: error: --why wants X,Y in metres, e.g. 3.5,-2; not '{}'\n", program, place);
+    return ExitCode::usage;
+  }
+  std::cout << why(folder, *place_m);
+  return ExitCode::done;
 }
 }  // namespace traverse::app

@@ -28,6 +28,11 @@ void tell(const std::string& kind, const std::string& message)
   fmt::print(stderr, "traverse-inspect: {}: {}\n", kind, message);
 }
 
+std::string line(const Json& json)
+{
+  return textOf(json) + "\n";
+}
+
 /** Says how the log ended. */
 ExitCode concluded(const logs::LogReport& report)
 {
@@ -56,7 +61,7 @@ ExitCode inspectLog(const InspectCommand& command)
   if (report.end != logs::LogEnd::not_a_log)
   {
     std::cout
-        << (command.json ? textOf(summaryJson(name, report, census))
+        << (command.json ? line(summaryJson(name, report, census))
                          : summaryText(name, report, census));
   }
   if (!command.pictures.empty())
@@ -75,7 +80,7 @@ ExitCode examineLog(const InspectCommand& command)
   if (diagnosis.report.end != logs::LogEnd::not_a_log)
   {
     std::cout
-        << (command.json ? textOf({{"hints", hintsJson(diagnosis.hints)}})
+        << (command.json ? line({{"hints", hintsJson(diagnosis.hints)}})
                          : hintsText(diagnosis.hints));
   }
   return concluded(diagnosis.report);
@@ -85,20 +90,8 @@ ExitCode compareMaps(const InspectCommand& command)
 {
   const Json diff =
       diffJson(command.diff[0], command.diff[1], {command.tolerance, command.cells_tolerance});
-  std::cout << (command.json ? textOf(diff) : diffText(diff));
+  std::cout << (command.json ? line(diff) : diffText(diff));
   return diff["same"].get<bool>() ? ExitCode::done : ExitCode::internal;  // 1, as diff(1) says it
-}
-
-ExitCode explainCell(const InspectCommand& command)
-{
-  const auto place_m = parsePlace(command.why);
-  if (!place_m)
-  {
-    tell("error", fmt::format("--why wants X,Y in metres, e.g. 3.5,-2; not '{}'", command.why));
-    return ExitCode::usage;
-  }
-  std::cout << why(command.input, *place_m);
-  return ExitCode::done;
 }
 
 bool isMap(const std::filesystem::path& input)
@@ -115,7 +108,7 @@ ExitCode runCommand(const InspectCommand& command)
   }
   if (!command.why.empty())
   {
-    return explainCell(command);
+    return printWhy("traverse-inspect", command.input, command.why);
   }
   if (isMap(command.input))
   {
@@ -125,7 +118,7 @@ ExitCode runCommand(const InspectCommand& command)
       return ExitCode::usage;
     }
     const Json maps = mapsJson(command.input);
-    std::cout << (command.json ? textOf(maps) : mapsText(maps));
+    std::cout << (command.json ? line(maps) : mapsText(maps));
     return ExitCode::done;
   }
   const Interrupt interrupt;

@@ -5,9 +5,8 @@
 #include "evidence.h"
 #include "read_scans.h"
 
+#include <traverse/common_app/input_file.h>
 #include <traverse/common_app/interrupt.h>
-#include <traverse/formats/bytes.h>
-#include <traverse/formats/safe_file.h>
 #include <traverse/formats/trajectory.h>
 #include <traverse/logs/log_poses.h>
 
@@ -53,14 +52,7 @@ std::vector<poses::StampedPose> posesFrom(const InspectCommand& command, const s
       return logs::readLogPoses(command.input, known, {}, {}, options).poses;
     }
   }
-  try
-  {
-    return formats::readTrajectory(source, command.times);
-  }
-  catch (const formats::FileError& e)
-  {
-    throw formats::FormatError(e.what());
-  }
+  return asInput([&] { return formats::readTrajectory(source, command.times); });
 }
 
 const char* nameOf(Weight weight)
@@ -80,6 +72,7 @@ Diagnosis examine(const InspectCommand& command)
   if (!evidence.pose_source.empty())
   {
     evidence.track = poses::PoseTrack(posesFrom(command, evidence.pose_source));
+    evidence.travel = diagnosis::travelOf(evidence.track);
   }
   Diagnosis diagnosis;
   hintAtTimes(evidence, diagnosis.hints);

@@ -4,8 +4,8 @@
 
 #include "command_line.h"
 #include "hint.h"
-#include "json.h"
 
+#include <traverse/common_app/json_text.h>
 #include <traverse/logs/log_report.h>
 
 #include <string>

@@ -37,6 +37,11 @@ void lookForGround(const points::Scan& scan, SensorEvidence& sensor)
 
 void addTo(Evidence& evidence, points::Decoded decoded)
 {
+  const bool known_label = evidence.sensors.count(decoded.scan.sensor_label) > 0;
+  if (!known_label && evidence.sensors.size() >= kMostScanSensors)
+  {
+    return;
+  }
   SensorEvidence& sensor = evidence.sensors[decoded.scan.sensor_label];
   const ScanSensor& seen = evidence.census[decoded.scan.sensor_label];
   const points::Scan scan = decoded.scan.view();

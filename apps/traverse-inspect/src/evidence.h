@@ -7,6 +7,7 @@
 
 #include <traverse/diagnosis/crispness.h>
 #include <traverse/diagnosis/ground_plane.h>
+#include <traverse/diagnosis/travel.h>
 #include <traverse/logs/log_report.h>
 #include <traverse/poses/pose_track.h>
 
@@ -34,6 +35,7 @@ struct Evidence
   std::map<std::string, SensorEvidence> sensors;  //!< by label
   std::string pose_source;                        //!< empty: the log has no poses
   poses::PoseTrack track;
+  diagnosis::Travel travel;  //!< of that track
 };
 
 void addTo(Evidence& evidence, points::Decoded decoded);

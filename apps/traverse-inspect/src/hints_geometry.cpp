@@ -3,8 +3,6 @@
 #include "evidence.h"
 #include "log_summary.h"
 
-#include <traverse/diagnosis/travel.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -185,7 +183,7 @@ void hintAtPair(
 
 void hintAtGeometry(const Evidence& evidence, Hints& hints)
 {
-  const double way_m = diagnosis::travelOf(evidence.track).distance_m;
+  const double way_m = evidence.travel.distance_m;
   std::vector<std::pair<std::string, GroundSeen>> level;
   for (const auto& [label, sensor] : evidence.sensors)
   {

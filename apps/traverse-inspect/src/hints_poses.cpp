@@ -3,8 +3,6 @@
 #include "evidence.h"
 #include "log_summary.h"
 
-#include <traverse/diagnosis/travel.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -20,7 +18,7 @@ void hintAtTrack(const Evidence& evidence, Hints& hints)
 {
   constexpr double kFastest_mps = 70;
   const poses::TrackReport& track = evidence.track.report();
-  const diagnosis::Travel travel = diagnosis::travelOf(evidence.track);
+  const diagnosis::Travel& travel = evidence.travel;
   hints.push_back(
       {"poses",
        "poses",
@@ -181,7 +179,7 @@ void hintAtPoses(const Evidence& evidence, Hints& hints)
     return;
   }
   hintAtTrack(evidence, hints);
-  const double way_m = diagnosis::travelOf(evidence.track).distance_m;
+  const double way_m = evidence.travel.distance_m;
   Offsets offsets;
   for (const auto& [label, sensor] : evidence.sensors)
   {

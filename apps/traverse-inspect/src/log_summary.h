@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "json.h"
 #include "scan_census.h"
 
+#include <traverse/common_app/json_text.h>
 #include <traverse/logs/log_report.h>
 
 #include <string>

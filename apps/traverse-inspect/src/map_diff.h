@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "json.h"
+#include <traverse/common_app/json_text.h>
 
 #include <filesystem>
 

@@ -81,11 +81,11 @@ Json metricsOf(const std::filesystem::path& folder)
   constexpr size_t kLargest = size_t{64} << 20U;
   try
   {
-    const Json json = Json::parse(
-        formats::readFile(folder / formats::OutputFolder::kLastFile, kLargest), nullptr, false);
+    const Json json =
+        parsedMetrics(formats::readFile(folder / formats::OutputFolder::kLastFile, kLargest));
     return json.is_object() ? json : Json();
   }
-  catch (const formats::FileError&)
+  catch (const std::exception&)
   {
     return {};
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_census.h"
 
+#include <traverse/points/sensor_origin.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -13,9 +15,7 @@ namespace
 void measureRanges(ScanSensor& sensor)
 {
   const points::ScanBuffer& scan = sensor.first.scan;
-  const bool placed = scan.T_base_sensor.matrix().allFinite();
-  const Eigen::Vector3d origin =
-      placed ? Eigen::Vector3d(scan.T_base_sensor.translation()) : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d origin = points::sensorOrigin(scan.T_base_sensor);
   std::vector<double> ranges(scan.size());
   for (size_t i = 0; i < scan.size(); ++i)
   {
@@ -30,9 +30,8 @@ void measureRanges(ScanSensor& sensor)
 
 void addTo(ScanCensus& census, points::Decoded decoded)
 {
-  constexpr size_t kMostSensors = 256;
   const std::string& label = decoded.scan.sensor_label;
-  if (census.size() >= kMostSensors && census.count(label) == 0)
+  if (census.size() >= kMostScanSensors && census.count(label) == 0)
   {
     return;
   }

@@ -23,6 +23,9 @@ struct ScanSensor
   points::Decoded first;  //!< the first scan with points
 };
 
+/** More are no robot's; those of further labels are left out. */
+inline constexpr size_t kMostScanSensors = 256;
+
 /** By label, as the log has it. */
 using ScanCensus = std::map<std::string, ScanSensor>;
 

@@ -128,18 +128,6 @@ ExitCode rebuildIt(const Settings& settings)
   return concluded(metrics, {});
 }
 
-ExitCode explainCell(const Command& command)
-{
-  const auto place_m = parsePlace(command.why);
-  if (!place_m)
-  {
-    tell("error", {fmt::format("--why wants X,Y in metres, e.g. 3.5,-2; not '{}'", command.why)});
-    return ExitCode::usage;
-  }
-  std::cout << why(command.config, *place_m);
-  return ExitCode::done;
-}
-
 ExitCode runCommand(const Command& command)
 {
   if (command.print_defaults || command.print_options)
@@ -153,7 +141,7 @@ ExitCode runCommand(const Command& command)
   }
   if (!command.why.empty())
   {
-    return explainCell(command);
+    return printWhy("traverse-map", command.config, command.why);
   }
   if (!command.index.empty())
   {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "merging.h"
 
-#include "input_file.h"
 #include "map_set.h"
 #include "mapping.h"
 #include "outputs.h"
@@ -10,6 +9,7 @@
 #include "settings.h"
 #include "verdict.h"
 
+#include <traverse/common_app/input_file.h>
 #include <traverse/common_app/interrupt.h>
 #include <traverse/common_app/progress.h>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rebuild.h"
 
-#include "input_file.h"
 #include "mapping.h"
 
+#include <traverse/common_app/input_file.h>
 #include <traverse/common_app/interrupt.h>
 #include <traverse/common_app/progress.h>
 #include <traverse/formats/octree_file.h>

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "track.h"
 
-#include "input_file.h"
-
+#include <traverse/common_app/input_file.h>
 #include <traverse/formats/trajectory.h>
 #include <traverse/logs/log_poses.h>
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/diagnosis/crispness.h>
+#include <traverse/points/sensor_origin.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,9 +110,7 @@ Sighted sightedBy(
 {
   constexpr double kNearest_m = 2;
   constexpr double kFarthest_m = 40;
-  const bool placed = scan.T_base_sensor.matrix().allFinite();
-  const Eigen::Vector3d sensor =
-      placed ? Eigen::Vector3d(scan.T_base_sensor.translation()) : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d sensor = points::sensorOrigin(scan.T_base_sensor);
   std::vector<size_t> upright;
   upright.reserve(scan.size());
   for (size_t i = 0; i < scan.size(); ++i)

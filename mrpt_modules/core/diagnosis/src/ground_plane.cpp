@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/diagnosis/ground_plane.h>
+#include <traverse/points/sensor_origin.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -206,9 +207,7 @@ double GroundPlane::roll_deg() const
 std::optional<GroundPlane> findGround(const points::Scan& scan, GroundSearch search)
 {
   constexpr size_t kFewest = 100;
-  const Eigen::Vector3d sensor = scan.T_base_sensor.matrix().allFinite()
-                                     ? Eigen::Vector3d(scan.T_base_sensor.translation())
-                                     : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d sensor = points::sensorOrigin(scan.T_base_sensor);
   const std::vector<Eigen::Vector3d> points = pointsAround(scan, sensor);
   if (points.size() < kFewest)
   {
