@@ -121,7 +121,7 @@ ExitCode runImportApp(int argc, const char* const* argv)
 {
   try
   {
-    const ParsedImport parsed = parseImportCommand(argc, argv);
+    const Parsed<ImportCommand> parsed = parseImportCommand(argc, argv);
     if (!parsed.command)
     {
       return parsed.exit_code;

@@ -4,12 +4,12 @@
 
 #include "known_formats.h"
 
+#include <traverse/common_app/parse.h>
 #include <traverse/formats/decimal.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
-#include <iostream>
 #include <numbers>
 
 #ifndef TRAVERSE_VERSION
@@ -158,28 +158,23 @@ void declare(CLI::App& cli, ImportCommand& command)
 }
 }  // namespace
 
-ParsedImport parseImportCommand(int argc, const char* const* argv)
+Parsed<ImportCommand> parseImportCommand(int argc, const char* const* argv)
 {
   ImportCommand command;
   CLI::App cli("Recordings of other layouts as an MRPT rawlog.", "traverse-import");
   declare(cli, command);
-  try
-  {
-    cli.parse(argc, argv);
-    if (command.output.filename().empty())
-    {
-      throw CLI::ValidationError("--output", "names no file");
-    }
-    if (!(command.params.from_s < command.params.to_s))
-    {
-      throw CLI::ValidationError("--to", "is not after --from");
-    }
-  }
-  catch (const CLI::ParseError& e)
-  {
-    const bool asked_for = cli.exit(e, std::cout, std::cerr) == 0;
-    return {std::nullopt, asked_for ? ExitCode::done : ExitCode::usage};
-  }
-  return {command, ExitCode::done};
+  return parse(
+      cli, argc, argv, command,
+      [&]
+      {
+        if (command.output.filename().empty())
+        {
+          throw CLI::ValidationError("--output", "names no file");
+        }
+        if (!(command.params.from_s < command.params.to_s))
+        {
+          throw CLI::ValidationError("--to", "is not after --from");
+        }
+      });
 }
 }  // namespace traverse::app

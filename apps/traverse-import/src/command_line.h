@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <traverse/common_app/exit_code.h>
+#include <traverse/common_app/parsed.h>
 #include <traverse/importing/import_params.h>
 #include <traverse/ros_bags/open_bag.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 namespace traverse::app
@@ -23,12 +22,6 @@ struct ImportCommand
   bool quiet = false;
 };
 
-/** A command, or none and how to exit. */
-struct ParsedImport
-{
-  std::optional<ImportCommand> command;
-  ExitCode exit_code = ExitCode::done;
-};
-
-ParsedImport parseImportCommand(int argc, const char* const* argv);
+/** Parses argv. */
+Parsed<ImportCommand> parseImportCommand(int argc, const char* const* argv);
 }  // namespace traverse::app

@@ -137,7 +137,7 @@ ExitCode runInspectApp(int argc, const char* const* argv)
   try
   {
     plugin::registerAllMaps();
-    const ParsedInspectCommand parsed = parseInspectCommand(argc, argv);
+    const Parsed<InspectCommand> parsed = parseInspectCommand(argc, argv);
     return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
   }
   catch (const logs::LogError& e)

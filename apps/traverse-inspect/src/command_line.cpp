@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
+#include <traverse/common_app/parse.h>
+
 #include <CLI/CLI.hpp>
-#include <iostream>
 
 #ifndef TRAVERSE_VERSION
 #define TRAVERSE_VERSION "unknown"
@@ -81,24 +82,19 @@ void declare(CLI::App& cli, InspectCommand& command)
 }
 }  // namespace
 
-ParsedInspectCommand parseInspectCommand(int argc, const char* const* argv)
+Parsed<InspectCommand> parseInspectCommand(int argc, const char* const* argv)
 {
   InspectCommand command;
   CLI::App cli("What is in a log or a map, and what may be wrong with it.", "traverse-inspect");
   declare(cli, command);
-  try
-  {
-    cli.parse(argc, argv);
-    if (command.input.empty() && command.diff.empty())
-    {
-      throw CLI::RequiredError("INPUT");
-    }
-  }
-  catch (const CLI::ParseError& e)
-  {
-    const bool asked_for = cli.exit(e, std::cout, std::cerr) == 0;
-    return {std::nullopt, asked_for ? ExitCode::done : ExitCode::usage};
-  }
-  return {command, ExitCode::done};
+  return parse(
+      cli, argc, argv, command,
+      [&]
+      {
+        if (command.input.empty() && command.diff.empty())
+        {
+          throw CLI::RequiredError("INPUT");
+        }
+      });
 }
 }  // namespace traverse::app

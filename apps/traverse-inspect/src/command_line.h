@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <traverse/common_app/exit_code.h>
+#include <traverse/common_app/parsed.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,12 +26,6 @@ struct InspectCommand
   bool quiet = false;
 };
 
-struct ParsedInspectCommand
-{
-  std::optional<InspectCommand> command;
-  ExitCode exit_code = ExitCode::done;
-};
-
-/** As parseCommandLine() of traverse-map. */
-ParsedInspectCommand parseInspectCommand(int argc, const char* const* argv);
+/** Parses argv. */
+Parsed<InspectCommand> parseInspectCommand(int argc, const char* const* argv);
 }  // namespace traverse::app

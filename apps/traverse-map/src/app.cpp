@@ -171,7 +171,7 @@ ExitCode runCommand(const Command& command)
 ExitCode runMapApp(int argc, const char* const* argv)
 {
   plugin::registerAllMaps();
-  const ParsedCommand parsed = parseCommandLine(argc, argv);
+  const Parsed<Command> parsed = parseCommandLine(argc, argv);
   if (!parsed.command)
   {
     return parsed.exit_code;

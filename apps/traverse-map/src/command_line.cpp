@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
+#include <traverse/common_app/parse.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <iostream>
 
 #ifndef TRAVERSE_VERSION
 #define TRAVERSE_VERSION "unknown"
@@ -128,31 +129,26 @@ void declare(CLI::App& cli, Command& command)
 }
 }  // namespace
 
-ParsedCommand parseCommandLine(int argc, const char* const* argv)
+Parsed<Command> parseCommandLine(int argc, const char* const* argv)
 {
   Command command;
   CLI::App cli(
       "Maps of where a ground robot can go, from a log of its range sensors.", "traverse-map");
   declare(cli, command);
-  try
-  {
-    cli.parse(argc, argv);
-    const bool needs_config = command.merge.empty() && command.index.empty() &&
-                              !command.print_defaults && !command.print_options;
-    if (needs_config && command.config.empty())
-    {
-      throw CLI::RequiredError("CONFIG.ini");
-    }
-    if (!command.merge.empty() && command.output.empty())
-    {
-      throw CLI::RequiredError("--output");
-    }
-  }
-  catch (const CLI::ParseError& e)
-  {
-    const bool asked_for = cli.exit(e, std::cout, std::cerr) == 0;
-    return {std::nullopt, asked_for ? ExitCode::done : ExitCode::usage};
-  }
-  return {command, ExitCode::done};
+  return parse(
+      cli, argc, argv, command,
+      [&]
+      {
+        const bool needs_config = command.merge.empty() && command.index.empty() &&
+                                  !command.print_defaults && !command.print_options;
+        if (needs_config && command.config.empty())
+        {
+          throw CLI::RequiredError("CONFIG.ini");
+        }
+        if (!command.merge.empty() && command.output.empty())
+        {
+          throw CLI::RequiredError("--output");
+        }
+      });
 }
 }  // namespace traverse::app

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <traverse/common_app/exit_code.h>
+#include <traverse/common_app/parsed.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -39,13 +39,6 @@ struct Command
   bool quiet = false;
 };
 
-/** Parses argv. Returns the command, or the exit code where nothing is left to do (--help,
- * --version, wrong usage; the text is printed, help on stdout and complaints on stderr). */
-struct ParsedCommand
-{
-  std::optional<Command> command;
-  ExitCode exit_code = ExitCode::done;
-};
-
-ParsedCommand parseCommandLine(int argc, const char* const* argv);
+/** Parses argv. */
+Parsed<Command> parseCommandLine(int argc, const char* const* argv);
 }  // namespace traverse::app
