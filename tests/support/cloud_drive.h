@@ -50,6 +50,7 @@ inline std::vector<Eigen::Vector3d> roadside()
   std::mt19937 random(12);
   std::uniform_real_distribution<double> any(0, 1);
   std::vector<Eigen::Vector3d> things;
+  things.reserve(26000);
   for (int i = 0; i < 20000; ++i)
   {
     things.emplace_back(140 * any(random) - 30, 60 * any(random) - 30, 0);

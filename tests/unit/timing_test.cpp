@@ -13,6 +13,7 @@ constexpr TimeNs kMs = 1'000'000;
 TEST(Timing, TellsRateGapsAndOrder)
 {
   std::vector<poses::TimeNs> stamps;
+  stamps.reserve(21);
   for (int i = 0; i < 20; ++i)
   {
     stamps.push_back((i < 10 ? 100 * i : 100 * i + 700) * kMs);
