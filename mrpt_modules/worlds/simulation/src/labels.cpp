@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/simulation/labels.h>
+
+#include <algorithm>
+#include <array>
+
+namespace traverse::simulation
+{
+namespace
+{
+constexpr std::array<std::string_view, kLabels> kLabelNames = {
+    "none",    "ground", "road",     "pavement", "rut",   "ditch", "bank",
+    "lump",    "grass",  "bush",     "tree",     "building", "wall",  "fence",
+    "pole",    "vehicle", "person",  "structure", "thing"};
+
+struct MaterialRow
+{
+  std::string_view name;
+  double reflectivity;
+};
+
+constexpr std::array<MaterialRow, kMaterials> kMaterialRows = {
+    {{"soil", 0.3},
+     {"asphalt", 0.17},
+     {"concrete", 0.35},
+     {"brick", 0.4},
+     {"snow", 0.8},
+     {"ice", 0.3},
+     {"grass", 0.4},
+     {"foliage", 0.5},
+     {"wood", 0.4},
+     {"metal", 0.5},
+     {"glass", 0.1},
+     {"cloth", 0.5}}};
+
+template <class E, class Names>
+std::optional<E> named(std::string_view name, const Names& names)
+{
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? std::nullopt : std::optional(static_cast<E>(found - names.begin()));
+}
+}  // namespace
+
+std::string_view nameOf(Label label)
+{
+  return kLabelNames.at(static_cast<size_t>(label));
+}
+
+std::optional<Label> labelNamed(std::string_view name)
+{
+  return named<Label>(name, kLabelNames);
+}
+
+std::string_view nameOf(Material material)
+{
+  return kMaterialRows.at(static_cast<size_t>(material)).name;
+}
+
+std::optional<Material> materialNamed(std::string_view name)
+{
+  std::array<std::string_view, kMaterials> names;
+  std::transform(
+      kMaterialRows.begin(), kMaterialRows.end(), names.begin(),
+      [](const MaterialRow& row) { return row.name; });
+  return named<Material>(name, names);
+}
+
+double reflectivityOf(Material material)
+{
+  return kMaterialRows.at(static_cast<size_t>(material)).reflectivity;
+}
+}  // namespace traverse::simulation
