@@ -10,9 +10,9 @@ namespace traverse::simulation
 namespace
 {
 constexpr std::array<std::string_view, kLabels> kLabelNames = {
-    "none",    "ground", "road",     "pavement", "rut",   "ditch", "bank",
-    "lump",    "grass",  "bush",     "tree",     "building", "wall",  "fence",
-    "pole",    "vehicle", "person",  "structure", "thing"};
+    "none", "ground",  "road",   "pavement",  "rut",      "ditch", "bank",
+    "lump", "grass",   "bush",   "tree",      "building", "wall",  "fence",
+    "pole", "vehicle", "person", "structure", "thing"};
 
 struct MaterialRow
 {

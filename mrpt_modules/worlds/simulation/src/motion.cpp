@@ -11,8 +11,7 @@ namespace traverse::simulation
 Motion::Motion(std::vector<TimedPose> poses) : poses_(std::move(poses))
 {
   const auto not_later = [](const TimedPose& a, const TimedPose& b) { return !(a.t_s < b.t_s); };
-  if (poses_.empty() ||
-      std::adjacent_find(poses_.begin(), poses_.end(), not_later) != poses_.end())
+  if (poses_.empty() || std::adjacent_find(poses_.begin(), poses_.end(), not_later) != poses_.end())
   {
     throw std::invalid_argument("a motion needs poses at growing times");
   }
