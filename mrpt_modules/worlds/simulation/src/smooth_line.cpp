@@ -105,82 +105,93 @@ SmoothLine::Place between(const SmoothLine::Place& a, const SmoothLine::Place& b
       length > 0 ? Eigen::Vector2d(h / length) : Eigen::Vector2d(a.heading)};
 }
 
-/** Hands out a place for every step of the way. */
-class Walk
+/** All pieces of a line, walked in centimetres. */
+class Spline
 {
  public:
-  Walk(std::vector<SmoothLine::Place>& places, const SmoothLine::Place& first) :
-      places_(places), last_(first)
+  explicit Spline(Points points) :
+      points_(std::move(points)), chords_(chordsOf(points_)), bends_(bendsOf(points_, chords_))
   {
-    places_.push_back(first);
   }
 
-  void to(const SmoothLine::Place& next)
+  bool hasLength() const { return !chords_.empty(); }
+
+  SmoothLine::Place begin() const
   {
-    const Eigen::Vector2d d = next.p - last_.p;
-    const double way = std::sqrt(d.x() * d.x() + d.y() * d.y());
-    double due = static_cast<double>(places_.size()) * SmoothLine::kStepMetres;
-    while (due <= done_m_ + way)
+    return {points_.front(), hasLength() ? piece(0).heading(0) : Eigen::Vector2d::UnitX()};
+  }
+
+  template <class F>
+  void walk(F&& visit_place) const
+  {
+    for (size_t i = 0; i < chords_.size(); ++i)
     {
-      places_.push_back(between(last_, next, (due - done_m_) / way));
-      due = static_cast<double>(places_.size()) * SmoothLine::kStepMetres;
+      const auto parts = static_cast<int>(std::ceil(chords_[i] / kFineMetres));
+      for (int part = 1; part <= parts; ++part)
+      {
+        const double f = static_cast<double>(part) / parts;
+        visit_place(SmoothLine::Place{piece(i).place(f), piece(i).heading(f)});
+      }
     }
-    done_m_ += way;
-    last_ = next;
-  }
-
-  double end()
-  {
-    places_.push_back(last_);
-    return done_m_;
   }
 
  private:
-  std::vector<SmoothLine::Place>& places_;
-  SmoothLine::Place last_;
-  double done_m_ = 0;
+  Piece piece(size_t i) const
+  {
+    return {points_[i], points_[i + 1], bends_[i], bends_[i + 1], chords_[i]};
+  }
+
+  Points points_;
+  std::vector<double> chords_;
+  Points bends_;
 };
+
+double wayBetween(const SmoothLine::Place& a, const SmoothLine::Place& b)
+{
+  const Eigen::Vector2d d = b.p - a.p;
+  return std::sqrt(d.x() * d.x() + d.y() * d.y());
+}
 }  // namespace
 
 SmoothLine::SmoothLine(const std::vector<double>& xs_m, const std::vector<double>& ys_m)
 {
-  const Points points = pointsOf(xs_m, ys_m);
-  const std::vector<double> chords = chordsOf(points);
-  if (chords.empty())
+  const Spline spline(pointsOf(xs_m, ys_m));
+  places_.push_back(spline.begin());
+  Place last = spline.begin();
+  spline.walk(
+      [&](const Place& next)
+      {
+        length_m_ += wayBetween(last, next);
+        last = next;
+      });
+  const auto steps = static_cast<size_t>(std::ceil(length_m_ / kLongestStepMetres));
+  step_m_ = steps > 0 ? length_m_ / static_cast<double>(steps) : kLongestStepMetres;
+  places_.reserve(steps + 1);
+  double done_m = 0;
+  last = places_.front();
+  spline.walk(
+      [&](const Place& next)
+      {
+        const double way_m = wayBetween(last, next);
+        double due_m = static_cast<double>(places_.size()) * step_m_;
+        for (; due_m <= done_m + way_m && places_.size() < steps;
+             due_m = static_cast<double>(places_.size()) * step_m_)
+        {
+          places_.push_back(between(last, next, (due_m - done_m) / way_m));
+        }
+        done_m += way_m;
+        last = next;
+      });
+  if (spline.hasLength())
   {
-    places_.push_back({points.front(), Eigen::Vector2d::UnitX()});
-    return;
+    places_.push_back(last);
   }
-  const Points bends = bendsOf(points, chords);
-  const auto piece = [&](size_t i) {
-    return Piece{points[i], points[i + 1], bends[i], bends[i + 1], chords[i]};
-  };
-  Walk walk(places_, {points.front(), piece(0).heading(0)});
-  for (size_t i = 0; i < chords.size(); ++i)
-  {
-    const auto parts = static_cast<int>(std::ceil(chords[i] / kFineMetres));
-    for (int part = 1; part <= parts; ++part)
-    {
-      const double f = static_cast<double>(part) / parts;
-      walk.to({piece(i).place(f), piece(i).heading(f)});
-    }
-  }
-  length_m_ = walk.end();
 }
 
 double SmoothLine::indexAt(double s_m) const
 {
-  const double s = std::clamp(s_m, 0.0, length_m_);
-  if (places_.size() < 2)
-  {
-    return 0;
-  }
-  // the last step is shorter than the others
-  const auto whole = static_cast<double>(places_.size() - 2);
-  const double rest = length_m_ - whole * kStepMetres;
-  const double index = s / kStepMetres;
-  return index <= whole || rest <= 0 ? std::min(index, whole)
-                                     : whole + (s - whole * kStepMetres) / rest;
+  const double index = std::clamp(s_m, 0.0, length_m_) / step_m_;
+  return std::min(index, static_cast<double>(places_.size() - 1));
 }
 
 SmoothLine::Place SmoothLine::at(double s_m) const

@@ -12,7 +12,7 @@ namespace traverse::simulation
 class SmoothLine
 {
  public:
-  static constexpr double kStepMetres = 0.05;
+  static constexpr double kLongestStepMetres = 0.05;
 
   struct Place
   {
@@ -26,7 +26,7 @@ class SmoothLine
 
   double lengthMetres() const { return length_m_; }
 
-  /** Every kStepMetres of the way, and the end. */
+  /** In even steps from the beginning to the end. */
   const std::vector<Place>& places() const { return places_; }
 
   /** Where on places() a way from the beginning ends: an index, with its fraction. */
@@ -36,6 +36,7 @@ class SmoothLine
 
  private:
   double length_m_ = 0;
+  double step_m_ = kLongestStepMetres;
   std::vector<Place> places_;
 };
 }  // namespace traverse::simulation
