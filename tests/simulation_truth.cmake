@@ -1,0 +1,2 @@
+# Truth of simulated scenes.
+traverse_test(unit cell_truth_test USES simulation)
