@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "random_plot.h"
+
+#include <traverse/simulation/random.h>
+#include <traverse/simulation/scene_params.h>
+
+namespace traverse::simulation
+{
+/** Free of things on either side of the vehicle's way, m. */
+inline constexpr double kDriveFree_m = 1.5;
+
+/** A random scene of style paper_3 in the making: the world of the paper on traversability grids,
+ * a road through rolling fields with old snow. Each group of things has its own random numbers, so
+ * that more trees do not move the walls. */
+class Paper3
+{
+ public:
+  /** Adds to `scene`, which must outlive it. */
+  Paper3(SceneParams& scene, uint64_t seed);
+
+  void addAll();
+
+ private:
+  Random randomFor(uint64_t purpose) const { return Random(mixed({seed_, purpose})); }
+
+  // paper_3_ground.cpp
+  void addGround();
+  void addHills();
+  void addRoad();
+  void addKerb();
+  void addDitch();
+  void addBanks();
+  void addBank(double from_m, double to_m, double side, Random& random);
+  void addRuts();
+  void addRutsAcross(Random& random, TerrainParams& ruts);
+
+  // paper_3_things.cpp
+  void addThings();
+  void addBuildings();
+  void addFencesAndWalls();
+  bool addLongThing(ObjectParams thing, Random& random);
+  void addTrees();
+  void addOverhang(bool low, Random& random);
+  void addTree(ObjectParams tree, double along_m, double left_m, Random& random);
+  void addBushes();
+  void addPoles();
+  void addStones();
+  void addLumps();
+  void addGrass();
+
+  // paper_3_movers.cpp
+  void addMovingVehicles();
+  void addParkedVehicles();
+  void addPeople();
+
+  /** A place beside the road for something of that radius; false where none was found. */
+  bool findPlace(double radius_m, double farthest_m, Random& random, ObjectParams& thing);
+
+  /** Takes the corners over, rounded. */
+  void follow(TerrainParams& strip, double from_m, double to_m, double left_m) const;
+
+  int seedOf(Random& random) const { return static_cast<int>(random.index(1000000)); }
+
+  /** Between half and one and a half times as many. */
+  static int about(int mean, Random& random)
+  {
+    return static_cast<int>(mean * random.uniform(0.5, 1.5) + 0.5);
+  }
+
+  static double rounded(Random& random, double from, double to)
+  {
+    return inMillimetres(random.uniform(from, to));
+  }
+
+  SceneParams& scene_;
+  RandomSceneParams asks_;
+  uint64_t seed_;
+  Random first_;  //!< decides what several groups must know; draws in this order
+  Way way_;
+  Plot plot_;
+  double half_road_m_;
+  bool winter_;
+  double kerb_side_ = 0;  //!< 1 left, -1 right, 0 none
+  double ditch_side_ = 0;
+  double kerb_m_ = 0;  //!< width of the pavement
+};
+}  // namespace traverse::simulation
