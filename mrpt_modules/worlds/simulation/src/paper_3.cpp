@@ -4,6 +4,7 @@
 
 #include "refuse.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -56,7 +57,13 @@ Paper3::Paper3(SceneParams& scene, uint64_t seed) :
   }
   if (first_.chance(asks_.ditch_chance))
   {
+    // not on the pavement's side
     ditch_side_ = kerb_side_ != 0 ? -kerb_side_ : (first_.chance(0.5) ? 1 : -1);
+  }
+  if (asks_.moving_vehicles > 0)
+  {
+    lane_side_ = openSide(first_);
+    lane_m_ = std::max(kDriveFree_m + 1.15, half_road_m_ - 1);
   }
 }
 
@@ -71,6 +78,12 @@ void Paper3::addAll()
   addParkedVehicles();
   addPeople();
   scene_.random = {};
+}
+
+double Paper3::openSide(Random& random) const
+{
+  const double any = random.chance(0.5) ? 1 : -1;
+  return kerb_side_ != 0 ? -kerb_side_ : any;
 }
 
 bool Paper3::findPlace(double radius_m, double farthest_m, Random& random, ObjectParams& thing)

@@ -34,8 +34,11 @@ class Paper3
   void addDitch();
   void addBanks();
   void addBank(double from_m, double to_m, double side, Random& random);
+  TerrainParams randomBank(Random& random) const;
+  void addDrifts();
   void addRuts();
-  void addRutsAcross(Random& random, TerrainParams& ruts);
+  void addRutsAside(Random& random, TerrainParams& ruts) const;
+  double openSide(Random& random) const;
 
   // paper_3_things.cpp
   void addThings();
@@ -85,6 +88,8 @@ class Paper3
   bool winter_;
   double kerb_side_ = 0;  //!< 1 left, -1 right, 0 none
   double ditch_side_ = 0;
-  double kerb_m_ = 0;  //!< width of the pavement
+  double lane_side_ = 0;  //!< on which vehicles drive, 0 where none do
+  double lane_m_ = 0;     //!< how far beside the way's middle
+  double kerb_m_ = 0;     //!< width of the pavement
 };
 }  // namespace traverse::simulation

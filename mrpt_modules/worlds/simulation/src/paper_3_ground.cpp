@@ -16,6 +16,7 @@ enum Purpose : uint64_t
   kerb,
   ditch,
   banks,
+  drifts,
   ruts
 };
 
@@ -35,6 +36,7 @@ void Paper3::addGround()
   addKerb();
   addDitch();
   addBanks();
+  addDrifts();
   addRuts();
 }
 
@@ -111,10 +113,11 @@ void Paper3::addDitch()
   const double from = random.uniform(-26, -2);
   const double off = half_road_m_ + 1.6 + p.width_m / 2 + random.uniform(0, 1.5);
   follow(p, from, std::min(28.0, from + random.uniform(10, 30)), ditch_side_ * off);
+  plot_.take(discsAlong(p.xs_m, p.ys_m, p.width_m / 2));
   scene_.terrains.push_back(p);
 }
 
-void Paper3::addBank(double from_m, double to_m, double side, Random& random)
+TerrainParams Paper3::randomBank(Random& random) const
 {
   TerrainParams p = terrain(TerrainKind::bank);
   p.width_m = rounded(random, 0.5, 1.3);
@@ -126,12 +129,44 @@ void Paper3::addBank(double from_m, double to_m, double side, Random& random)
   {
     p.material = choose(Material::soil);
   }
-  const double nearest = kDriveFree_m + 0.05 + p.width_m / 2;
+  return p;
+}
+
+void Paper3::addBank(double from_m, double to_m, double side, Random& random)
+{
+  TerrainParams p = randomBank(random);
   // on a pavement's side at the foot of the kerb, on the road
   const double off = side == kerb_side_ ? half_road_m_ - p.width_m / 2
                                         : half_road_m_ + random.uniform(-0.3, 1.4 - p.width_m / 2);
-  follow(p, from_m, to_m, side * std::max(nearest, off));
+  const double nearest = side == lane_side_ ? lane_m_ + 1.1 : kDriveFree_m + 0.05;
+  follow(p, from_m, to_m, side * std::max(nearest + p.width_m / 2, off));
   scene_.terrains.push_back(p);
+}
+
+void Paper3::addDrifts()
+{
+  Random random = randomFor(Purpose::drifts);
+  const int n = static_cast<int>(6 * asks_.bank_share * random.uniform() + 0.5);
+  for (int i = 0; i < n; ++i)
+  {
+    TerrainParams p = randomBank(random);
+    const double side = random.chance(0.5) ? 1 : -1;
+    double along = random.uniform(-20, 20);
+    double off = half_road_m_ + 4 + random.uniform(0, 12);
+    const double step = random.chance(0.5) ? 1.5 : -1.5;
+    double aside = random.uniform(-1, 1);
+    const int corners = 3 + static_cast<int>(random.index(5));
+    for (int corner = 0; corner < corners; ++corner)
+    {
+      const Eigen::Vector2d at = way_.place(along, side * off);
+      p.xs_m.push_back(inMillimetres(at.x()));
+      p.ys_m.push_back(inMillimetres(at.y()));
+      along += step;
+      off = std::max(half_road_m_ + 3, off + aside);
+      aside += random.uniform(-0.4, 0.4);
+    }
+    scene_.terrains.push_back(p);
+  }
 }
 
 void Paper3::addBanks()
@@ -159,9 +194,9 @@ void Paper3::addBanks()
   }
 }
 
-void Paper3::addRutsAcross(Random& random, TerrainParams& p)
+void Paper3::addRutsAside(Random& random, TerrainParams& p) const
 {
-  const double side = random.chance(0.5) ? 1 : -1;
+  const double side = openSide(random);
   const double from = random.uniform(-18, 8);
   const double ahead = random.chance(0.5) ? 1 : -1;
   const double steep = random.uniform(0.3, 1.2);
@@ -170,7 +205,7 @@ void Paper3::addRutsAcross(Random& random, TerrainParams& p)
   {
     // leaves the road along a parabola
     const double along = from + ahead * 2.2 * i;
-    const double off = half_road_m_ + 1 + steep * 0.25 * i * i;
+    const double off = half_road_m_ + 1.2 + steep * 0.25 * i * i;
     const Eigen::Vector2d at = way_.place(along, side * off);
     p.xs_m.push_back(inMillimetres(at.x()));
     p.ys_m.push_back(inMillimetres(at.y()));
@@ -188,16 +223,16 @@ void Paper3::addRuts()
     p.height_m = rounded(random, 0.035, 0.085);
     p.groove_m = rounded(random, 0.2, 0.38);
     p.edge_m = rounded(random, 0.01, 0.04);
-    if (i > 0 && random.chance(0.5))
+    const bool on_road = random.chance(0.4);
+    if (on_road)
     {
-      addRutsAcross(random, p);
+      const double from = random.uniform(-20, 4);
+      follow(p, from, from + random.uniform(8, 22), random.uniform(-0.5, 0.5));
     }
     else
     {
-      const double from = random.uniform(-20, 4);
-      const double off = random.chance(0.5) ? random.uniform(-0.5, 0.5)
-                                            : (random.chance(0.5) ? 1 : -1) * (half_road_m_ + 1.2);
-      follow(p, from, from + random.uniform(8, 22), off);
+      addRutsAside(random, p);
+      plot_.take(discsAlong(p.xs_m, p.ys_m, p.width_m / 2 + 0.3));
     }
     scene_.terrains.push_back(p);
   }

@@ -36,13 +36,12 @@ void Paper3::addMovingVehicles()
 {
   Random random = randomFor(Purpose::moving);
   const int n = about(asks_.moving_vehicles, random);
-  const double side = kerb_side_ != 0 ? -kerb_side_ : (random.chance(0.5) ? 1 : -1);
-  const double off = std::max(kDriveFree_m + 1.15, half_road_m_ - 1);
+  const double side = lane_side_;
   const double speed_mps = rounded(random, 2, 9);
   const double start_s = rounded(random, 0, 5);
   if (n > 0)
   {
-    const auto [xs, ys] = way_.beside(-kReach_m, kReach_m, side * off);
+    const auto [xs, ys] = way_.beside(-kReach_m, kReach_m, side * lane_m_);
     plot_.take(discsAlong(xs, ys, 1));
   }
   for (int i = 0; i < n; ++i)
@@ -51,7 +50,7 @@ void Paper3::addMovingVehicles()
     // a column of cars, each behind the one before, at their beginnings and ends too
     const double first = kReach_m - kApart_m * i;
     const double last = -kReach_m + kApart_m * (n - 1 - i);
-    std::tie(p.track_xs_m, p.track_ys_m) = way_.beside(last, first, side * off);
+    std::tie(p.track_xs_m, p.track_ys_m) = way_.beside(last, first, side * lane_m_);
     if (side > 0)
     {
       // on the left against the vehicle's direction: the last of the column comes first

@@ -250,14 +250,14 @@ void Paper3::addLumps()
   {
     ObjectParams p = object(ObjectKind::lumps);
     p.length_m = rounded(random, 3, 9);
-    p.width_m = rounded(random, 1.2, 4.5);
+    p.width_m = i < 2 ? rounded(random, 1.2, 4) : rounded(random, 2, 8);
     p.height_m = rounded(random, 0.07, 0.09);
     p.radius_m = rounded(random, 0.08, 0.16);
     p.count = 10 + static_cast<int>(p.length_m * p.width_m * random.uniform(3, 10));
     p.material = choose(winter_ || random.chance(0.2) ? Material::snow : Material::soil);
     // the first ones reach the vehicle's sight for sure: beside its way
     const double along = i < 2 ? random.uniform(-14, 14) : random.uniform(-24, 24);
-    const double most = i < 2 ? 1.5 : 9;
+    const double most = i < 2 ? 1.5 : 14;
     const double off = kDriveFree_m + 0.4 + p.width_m / 2 + random.uniform(0, most);
     const Eigen::Vector2d at = way_.place(along, (i % 2 == 0 ? 1 : -1) * off);
     p.x_m = inMillimetres(at.x());

@@ -102,7 +102,7 @@ TerrainPiece::TerrainPiece(const TerrainParams& params, const SceneParams& scene
                  params_.kind == TerrainKind::ditch || params_.kind == TerrainKind::hole;
   // each its own axes, so that two lattices of random heights do not lie on each other
   const auto [s, c] = geometry::sinCosOf(0.3 + 0.7 * (params_.seed % 97));
-  turned_ = Eigen::Vector2d(c, s);
+  turned_ = Eigen::Vector2d(c, s) / params_.wavelength_m;
   if (params_.kind == TerrainKind::raster)
   {
     raster_ = loadRaster(params_, scene);
@@ -154,8 +154,7 @@ double TerrainPiece::noise(const Eigen::Vector2d& place) const
 {
   const double x = place.x() * turned_.x() + place.y() * turned_.y();
   const double y = place.y() * turned_.x() - place.x() * turned_.y();
-  return valueNoise(
-      x / params_.wavelength_m, y / params_.wavelength_m, static_cast<uint64_t>(params_.seed));
+  return valueNoise(x, y, static_cast<uint64_t>(params_.seed));
 }
 
 void TerrainPiece::paint(GroundSum& sum) const

@@ -67,7 +67,7 @@ class TerrainPiece
   bool sharp_ = false;
   bool round_ = false;
   bool flat_inside_ = false;                           //!< only its border is sharp
-  Eigen::Vector2d turned_ = Eigen::Vector2d::UnitX();  //!< axes of its noise
+  Eigen::Vector2d turned_ = Eigen::Vector2d::UnitX();  //!< axis of its noise, 1/m
   std::optional<Material> material_;
   std::optional<Label> label_;
   std::shared_ptr<const Raster> raster_;

@@ -32,7 +32,7 @@ struct RandomSceneParams
   double kerb_chance = 0.35;
   double ditch_chance = 0.4;
   int ruts = 2;
-  int lump_fields = 4;
+  int lump_fields = 5;
   int grass_patches = 4;
   int trees = 9;
   int bushes = 6;
