@@ -74,14 +74,14 @@ void Paper3::addParkedVehicles()
     {
       const double along = random.uniform(-20, 20);
       const double off =
-          std::max(kDriveFree_m + p.width_m / 2 + 0.25, half_road_m_ + random.uniform(-0.8, 2.5));
+          std::max(kDriveFree_m + p.width_m / 2 + 0.35, half_road_m_ + random.uniform(-0.8, 2.5));
       const double side = random.chance(0.5) ? 1 : -1;
       const Eigen::Vector2d at = way_.place(along, side * off);
       const double yaw = way_.yawDeg(along) + (random.chance(0.5) ? 0 : 180);
       const Eigen::Vector2d rear = way_.place(along - p.length_m / 2, side * off);
       const Eigen::Vector2d front = way_.place(along + p.length_m / 2, side * off);
       const std::vector<Disc> discs =
-          discsAlong({rear.x(), front.x()}, {rear.y(), front.y()}, p.width_m / 2 + 0.1);
+          discsAlong({rear.x(), front.x()}, {rear.y(), front.y()}, p.width_m / 2 + 0.2);
       if (plot_.areFree(discs, kDriveFree_m))
       {
         plot_.take(discs);
