@@ -9,6 +9,11 @@
 
 namespace traverse::simulation
 {
+namespace
+{
+constexpr double kLongest_m = 1e6;
+}  // namespace
+
 std::vector<Segment> lineThrough(
     const std::vector<double>& xs_m, const std::vector<double>& ys_m, const std::string& keys)
 {
@@ -25,9 +30,9 @@ std::vector<Segment> lineThrough(
     const Eigen::Vector2d from(xs_m[i], ys_m[i]);
     const Eigen::Vector2d step = Eigen::Vector2d(xs_m[i + 1], ys_m[i + 1]) - from;
     const double step_m = std::sqrt(step.x() * step.x() + step.y() * step.y());
-    if (!(step_m > 0))
+    if (!(step_m > 0) || step_m > kLongest_m)
     {
-      refuse(keys, xs_m[i], "corners that differ from the one before");
+      refuse(keys, xs_m[i + 1], "corners within 1000 km that differ from the one before");
     }
     line[i] = {from, step / step_m, step_m, length_m};
     length_m += step_m;
