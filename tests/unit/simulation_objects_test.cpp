@@ -203,7 +203,7 @@ TEST(Objects, MoveAlongTheirTrackOnTheGround)
   person.start_s = 2;
   const Scene scene = sceneOf(person);
   const Motion& motion = scene.objects.at(0).motion;
-  const auto at = [&](double t_s) { return motion.at(t_s).translation(); };
+  const auto at = [&](double t_s) -> Eigen::Vector3d { return motion.at(t_s).translation(); };
   EXPECT_NEAR(at(0).x(), 0, kFloat_m);
   EXPECT_NEAR(at(4).x(), 3, kFloat_m);
   EXPECT_NEAR(at(7).y(), 1.5, kFloat_m);

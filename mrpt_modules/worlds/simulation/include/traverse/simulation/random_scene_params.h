@@ -31,8 +31,8 @@ struct RandomSceneParams
   double bank_share = 0.5;
   double kerb_chance = 0.35;
   double ditch_chance = 0.4;
-  int ruts = 2;
-  int lump_fields = 5;
+  int ruts = 3;
+  int lump_fields = 6;
   int grass_patches = 4;
   int trees = 9;
   int bushes = 6;
