@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fmt/format.h>
 
 namespace traverse::simulating
 {
@@ -71,7 +72,7 @@ std::vector<P> readNumbered(const config::IniDocument& ini, std::string_view pre
     {
       const std::string there = numberedSection(std::string(prefix), numbers[i]);
       throw ConfigError(
-          placeOf(ini, there) + "there is a section [" + there + "] but no [" + section + "]",
+          fmt::format("{}there is a section [{}] but no [{}]", placeOf(ini, there), there, section),
           section);
     }
     config::load(ini, section, all[i]);

@@ -7,6 +7,8 @@
 #include <traverse/simulation/random.h>
 #include <traverse/simulation/scene_params.h>
 
+#include <cmath>
+
 namespace traverse::simulation
 {
 /** Free of things on either side of the vehicle's way, m. */
@@ -70,7 +72,7 @@ class Paper3
   /** Between half and one and a half times as many. */
   static int about(int mean, Random& random)
   {
-    return static_cast<int>(mean * random.uniform(0.5, 1.5) + 0.5);
+    return static_cast<int>(std::floor(mean * random.uniform(0.5, 1.5) + 0.5));
   }
 
   static double rounded(Random& random, double from, double to)

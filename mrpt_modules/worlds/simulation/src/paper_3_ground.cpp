@@ -56,10 +56,13 @@ void Paper3::addHills()
   };
   const double high = asks_.hill_height_m * random.uniform(0.2, 1);
   add(TerrainKind::hills, high, random.uniform(20, 36));
-  add(TerrainKind::hills, high * random.uniform(0.1, 0.25), random.uniform(9, 14));
+  // one draw a statement: the order within one is the compiler's choice
+  const double low = high * random.uniform(0.1, 0.25);
+  add(TerrainKind::hills, low, random.uniform(9, 14));
   const double rough = std::min(0.015, asks_.roughness_m * random.uniform(0.5, 1.6));
   add(TerrainKind::roughness, rough, random.uniform(0.45, 1.1));
-  add(TerrainKind::roughness, random.uniform(0.001, 0.004), random.uniform(0.2, 0.35));
+  const double fine = random.uniform(0.001, 0.004);
+  add(TerrainKind::roughness, fine, random.uniform(0.2, 0.35));
 }
 
 void Paper3::addRoad()
@@ -146,7 +149,7 @@ void Paper3::addBank(double from_m, double to_m, double side, Random& random)
 void Paper3::addDrifts()
 {
   Random random = randomFor(Purpose::drifts);
-  const int n = static_cast<int>(6 * asks_.bank_share * random.uniform() + 0.5);
+  const int n = static_cast<int>(7 * asks_.bank_share * random.uniform());
   for (int i = 0; i < n; ++i)
   {
     TerrainParams p = randomBank(random);
@@ -227,7 +230,8 @@ void Paper3::addRuts()
     if (on_road)
     {
       const double from = random.uniform(-20, 4);
-      follow(p, from, from + random.uniform(8, 22), random.uniform(-0.5, 0.5));
+      const double to = from + random.uniform(8, 22);
+      follow(p, from, to, random.uniform(-0.5, 0.5));
     }
     else
     {

@@ -78,7 +78,7 @@ void addMesh(Object& object, const Site& site, const Eigen::Vector3d& a, const E
   constexpr double kUpright_m = 0.1;
   constexpr double kGap_m = 0.04;
   const double height = site.params.height_m;
-  const int level = std::max(1, static_cast<int>((height - kGap_m) / kLevel_m + 0.5));
+  const int level = std::max(1, static_cast<int>(std::floor((height - kGap_m) / kLevel_m + 0.5)));
   for (int i = 0; i <= level; ++i)
   {
     const double z = kGap_m + (height - kGap_m) * i / level;

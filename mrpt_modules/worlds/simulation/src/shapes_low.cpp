@@ -39,7 +39,7 @@ void addBlade(Part& patch, const Site& site, const Eigen::Vector2d& at, Random& 
 /** Where the columns or rows of patches of about 1 m end. */
 int patchesAlong(double length_m)
 {
-  return std::max(1, static_cast<int>(length_m + 0.5));
+  return std::max(1, static_cast<int>(std::floor(length_m + 0.5)));
 }
 
 /** A half-ellipsoid that is not quite regular, on the ground, closed below it. */
@@ -105,12 +105,12 @@ void addGrass(Object& object, const Site& site)
   const int rows = patchesAlong(p.width_m);
   const double dx = p.length_m / columns;
   const double dy = p.width_m / rows;
-  const int blades = static_cast<int>(dx * dy * p.count + 0.5);
+  const int blades = static_cast<int>(std::floor(dx * dy * p.count + 0.5));
   for (int i = 0; i < columns * rows; ++i)
   {
     Random random = site.random(static_cast<uint64_t>(i));
-    const Eigen::Vector2d corner(
-        -p.length_m / 2 + dx * (i % columns), -p.width_m / 2 + dy * (i / columns));
+    const int row = i / columns;
+    const Eigen::Vector2d corner(-p.length_m / 2 + dx * (i % columns), -p.width_m / 2 + dy * row);
     Part patch;
     patch.material = site.material;
     patch.solid = false;

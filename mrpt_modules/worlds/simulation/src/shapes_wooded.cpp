@@ -12,6 +12,7 @@ namespace traverse::simulation
 namespace
 {
 constexpr double kRoot_m = 0.3;
+constexpr double kTurn = 2 * geometry::kPi;
 
 /** A direction of length 1, as likely as any other. */
 Eigen::Vector3d anyDirection(Random& random)
@@ -80,7 +81,8 @@ void addLimb(
   for (int leaf = 0; leaf < count; ++leaf)
   {
     Eigen::Vector3d at = from + reach * random.uniform(0.35, 1.1);
-    at += anyDirection(random) * (spread * random.uniform());
+    const double away = spread * random.uniform();
+    at += away * anyDirection(random);
     // nothing hangs lower than the tree says
     at.z() = std::max(at.z(), p.branch_height_m + 0.1);
     addLeaf(leaves, at, random.uniform(0.08, 0.16), random);
@@ -126,11 +128,13 @@ void addBush(Object& object, const Site& site)
   const double half = p.width_m / 2;
   for (int stem = 0; stem < kStems; ++stem)
   {
-    const Eigen::Vector3d foot = outward(random.uniform(0, 6.28), 0.3 * half * random.uniform(), 0);
+    // one draw a statement: the order within one is the compiler's choice
+    const double turn = random.uniform(0, kTurn);
+    const Eigen::Vector3d foot = outward(turn, 0.3 * half * random.uniform(), 0);
     const Eigen::Vector3d root(foot.x(), foot.y(), site.groundAt(foot.x(), foot.y()) - 0.1);
-    const Eigen::Vector3d tip = outward(
-        random.uniform(0, 6.28), half * random.uniform(0.2, 0.8),
-        p.height_m * random.uniform(0.6, 0.95));
+    const double lean = random.uniform(0, kTurn);
+    const double out = half * random.uniform(0.2, 0.8);
+    const Eigen::Vector3d tip = outward(lean, out, p.height_m * random.uniform(0.6, 0.95));
     object.parts.push_back(barPart({root, tip, 0.012, 0.005, 5}, Material::wood));
   }
   Part leaves = looseLeaves();
@@ -140,8 +144,8 @@ void addBush(Object& object, const Site& site)
     // evenly over a round body that narrows to half at the ground
     const double share = random.uniform();
     const double wide = std::sqrt(std::max(0.0, 1 - (share * 1.6 - 0.6) * (share * 1.6 - 0.6)));
-    const Eigen::Vector3d out =
-        outward(random.uniform(0, 6.28), half * wide * std::sqrt(random.uniform()), 0);
+    const double turn = random.uniform(0, kTurn);
+    const Eigen::Vector3d out = outward(turn, half * wide * std::sqrt(random.uniform()), 0);
     const double ground = site.groundAt(out.x(), out.y());
     addLeaf(
         leaves, {out.x(), out.y(), ground + 0.04 + share * (p.height_m - 0.08)},
