@@ -34,24 +34,33 @@ double fromDrive(const SceneParams& scene, const Eigen::Vector2d& place)
   return nearest;
 }
 
-/** The nearest that any of an object lower than the vehicle comes to the way, at any time. */
-double nearestLow(const SceneParams& words, const Scene& scene, const Object& object)
+/** The nearest that a part comes to the way below the vehicle's height. */
+double nearestLow(
+    const SceneParams& words, const Terrain& terrain, const Part& part, const TimedPose& pose)
 {
   constexpr double kVehicle_m = 2.2;
   double nearest = 1e9;
+  for (const Eigen::Vector3f& v : part.vertices)
+  {
+    const Eigen::Vector3d p = pose.T_map_body * v.cast<double>();
+    if (p.z() - terrain.at(p.x(), p.y()).base_m < kVehicle_m)
+    {
+      nearest = std::min(nearest, fromDrive(words, p.head<2>()));
+    }
+  }
+  return nearest;
+}
+
+/** The nearest that any of an object does, every 0.4 s. */
+double nearestLow(const SceneParams& words, const Scene& scene, const Object& object)
+{
   const std::vector<TimedPose>& poses = object.motion.poses();
-  for (size_t i = 0; i < poses.size(); i += 4)  // every 0.4 s
+  double nearest = 1e9;
+  for (size_t i = 0; i < poses.size(); i += 4)
   {
     for (const Part& part : object.parts)
     {
-      for (const Eigen::Vector3f& v : part.vertices)
-      {
-        const Eigen::Vector3d p = poses[i].T_map_body * v.cast<double>();
-        if (p.z() - scene.terrain->at(p.x(), p.y()).base_m < kVehicle_m)
-        {
-          nearest = std::min(nearest, fromDrive(words, p.head<2>()));
-        }
-      }
+      nearest = std::min(nearest, nearestLow(words, *scene.terrain, part, poses[i]));
     }
   }
   return nearest;
@@ -132,7 +141,8 @@ TEST(RandomScene, HasEveryClassNearTheWay)
     }
     for (int i = 0; i < 22500; ++i)
     {
-      const Eigen::Vector2d place(-30 + 0.4 * (i % 150), -30 + 0.4 * static_cast<double>(i / 150));
+      const int row = i / 150;
+      const Eigen::Vector2d place(-30 + 0.4 * (i % 150), -30 + 0.4 * row);
       const Label label = scene.terrain->at(place.x(), place.y()).label;
       if (near.count(label) == 0 && fromDrive(words, place) < 8)
       {

@@ -147,8 +147,9 @@ TEST(Terrain, NeverHidesASharpPlace)
     const auto terrain = buildTerrain(randomScene(seed));
     for (int i = 0; i < 40000; ++i)
     {
+      const int row = i / 200;
       const double x = -29 + (i % 200) * 0.29;
-      const double y = -29 + static_cast<double>(i / 200) * 0.29;
+      const double y = -29 + row * 0.29;
       const double jump = std::abs(terrain->at(x, y).height_m - terrain->at(x + 0.04, y).height_m);
       if (jump > 0.02)
       {
@@ -169,8 +170,9 @@ TEST(Terrain, IsTheSameWhateverTheAreaIs)
   const auto other = buildTerrain(scene);
   for (int i = 0; i < 5000; ++i)
   {
+    const int row = i / 100;
     const double x = -35 + (i % 100) * 0.71;
-    const double y = -35 + static_cast<double>(i / 100) * 1.37;
+    const double y = -35 + row * 1.37;
     EXPECT_EQ(terrain->at(x, y).height_m, other->at(x, y).height_m) << x << " " << y;
   }
 }
