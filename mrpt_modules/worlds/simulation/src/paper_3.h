@@ -48,8 +48,8 @@ class Paper3
   void addFencesAndWalls();
   bool addLongThing(ObjectParams thing, Random& random);
   void addTrees();
-  void addOverhang(bool low, Random& random);
-  void addTree(ObjectParams tree, double along_m, double left_m, Random& random);
+  bool addOverhang(bool low, Random& random);
+  bool addTree(ObjectParams tree, double along_m, double left_m, Random& random);
   void addBushes();
   void addPoles();
   void addStones();

@@ -121,7 +121,7 @@ void Paper3::addFencesAndWalls()
   }
 }
 
-void Paper3::addTree(ObjectParams tree, double along_m, double left_m, Random& random)
+bool Paper3::addTree(ObjectParams tree, double along_m, double left_m, Random& random)
 {
   const double radius = tree.radius_m + 0.15;
   const Eigen::Vector2d at = way_.place(along_m, left_m);
@@ -134,17 +134,19 @@ void Paper3::addTree(ObjectParams tree, double along_m, double left_m, Random& r
     tree.width_m = inMillimetres(std::min(tree.width_m, 2 * most / kLeaves));
     tree.branch_m = inMillimetres(std::min(tree.branch_m, most / kLeaves));
   }
-  if (plot_.isFree({at, radius}, half_road_m_ + 0.2) && tree.width_m > 0.5)
+  if (!plot_.isFree({at, radius}, half_road_m_ + 0.2) || tree.width_m < 0.5)
   {
-    plot_.take({at, radius});
-    tree.x_m = inMillimetres(at.x());
-    tree.y_m = inMillimetres(at.y());
-    tree.seed = seedOf(random);
-    scene_.objects.push_back(tree);
+    return false;
   }
+  plot_.take({at, radius});
+  tree.x_m = inMillimetres(at.x());
+  tree.y_m = inMillimetres(at.y());
+  tree.seed = seedOf(random);
+  scene_.objects.push_back(tree);
+  return true;
 }
 
-void Paper3::addOverhang(bool low, Random& random)
+bool Paper3::addOverhang(bool low, Random& random)
 {
   ObjectParams p = object(ObjectKind::tree);
   const double along = random.uniform(-15, 15);
@@ -158,18 +160,21 @@ void Paper3::addOverhang(bool low, Random& random)
   p.count = 500 + static_cast<int>(random.index(1000));
   // its x axis points across the road
   p.yaw_deg = inMillimetres(std::remainder(way_.yawDeg(along) - side * 90, 360));
-  addTree(p, along, side * off, random);
+  return addTree(p, along, side * off, random);
 }
 
 void Paper3::addTrees()
 {
+  constexpr int kTries = 30;
   Random random = randomFor(Purpose::trees);
   const int n = about(asks_.trees, random);
   for (int i = 0; i < n; ++i)
   {
     if (i < 2 || random.chance(0.15))
     {
-      addOverhang(i % 2 == 0, random);
+      for (int attempt = 0; attempt < kTries && !addOverhang(i % 2 == 0, random); ++attempt)
+      {
+      }
       continue;
     }
     ObjectParams p = object(ObjectKind::tree);
