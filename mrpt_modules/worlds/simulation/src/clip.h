@@ -39,6 +39,16 @@ class Clipped
         { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); });
   }
 
+  /** visit(x, y) for every corner. */
+  template <class Visit>
+  void forEachCorner(Visit&& visit) const
+  {
+    for (size_t i = 0; i < count_; ++i)
+    {
+      visit(corners_[i][0], corners_[i][1]);
+    }
+  }
+
   /** Smallest and largest coordinate; not of an empty one. */
   Limits along(size_t axis) const
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "truth_cells.h"
 #include "truth_grid.h"
+#include "truth_limits.h"
 #include "truth_pieces.h"
 
 #include <traverse/geometry/exact_trig.h>
@@ -13,21 +14,6 @@ namespace traverse::simulation
 {
 namespace
 {
-void checkLimits(const TruthParams& params)
-{
-  options::check(params);
-  const auto increasing = [](std::string_view key, double value, double before)
-  {
-    if (!(value > before))
-    {
-      throw options::OptionError(
-          key, options::format(value), "more than the limit before it, " + options::format(before));
-    }
-  };
-  increasing("small_max_m", params.small_max_m, params.flat_max_m);
-  increasing("large_max_m", params.large_max_m, params.small_max_m);
-}
-
 void checkScene(const Scene& scene, const Eigen::Vector2d& start)
 {
   if (!scene.terrain)
@@ -40,17 +26,6 @@ void checkScene(const Scene& scene, const Eigen::Vector2d& start)
   {
     throw std::invalid_argument("the start does not lie in the scene's area");
   }
-}
-
-int32_t cellOf_mm(const TruthParams& params)
-{
-  const auto cell_mm = static_cast<int32_t>(geometry::toMillimetres(params.cell_size_m));
-  if (geometry::Lattice{cell_mm}.cell_m() != params.cell_size_m)
-  {
-    throw options::OptionError(
-        "cell_size_m", options::format(params.cell_size_m), "whole millimetres");
-  }
-  return cell_mm;
 }
 
 Pieces piecesOf(const Scene& scene, const SubGrid& grid, double at_s)
@@ -71,9 +46,9 @@ layers::LayerSet cellTruth(
     double at_s,
     const Eigen::Vector2d& start)
 {
-  checkLimits(params);
+  const int32_t cell_mm = checkedCell_mm(params);
   checkScene(scene, start);
-  const SubGrid grid = subGridOf(scene.area, cellOf_mm(params));
+  const SubGrid grid = subGridOf(scene.area, cell_mm);
   const GroundSamples ground = sampleGround(*scene.terrain, grid);
   const double steepest = geometry::tangentOf(vehicle.max_slope_deg / 180 * geometry::kPi);
   const std::vector<float> climb_m =
