@@ -5,35 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
-#include <support/sample_layers.h>
-#include <vector>
+#include <support/judged_maps.h>
 
 namespace
 {
 using namespace traverse;
 using namespace traverse::evaluation;
 using namespace traverse::testing;
-
-using Drawn = std::vector<std::string>;
-
-/** A map of these classes with as many returns as the digits of the second drawing say. */
-layers::LayerSet mapOf(const Drawn& classes, const Drawn& returns, geometry::CellIndex corner = {})
-{
-  layers::LayerSet map = drawnClasses(classes, corner);
-  const layers::LayerSet counted = drawnClasses(returns, corner);
-  const auto& digits = std::get<std::vector<uint8_t>>(counted.layers[0].data);
-  map.layers.push_back({"point_count", "1", std::vector<uint32_t>(digits.begin(), digits.end())});
-  return map;
-}
-
-layers::LayerSet truthOf(const Drawn& classes, geometry::CellIndex corner = {})
-{
-  layers::LayerSet truth = drawnClasses(classes, corner);
-  truth.class_layer = "truth_class";
-  truth.layers[0].name = "truth_class";
-  return truth;
-}
 
 TEST(Confusion, CountsCellsWithReturnsEnough)
 {

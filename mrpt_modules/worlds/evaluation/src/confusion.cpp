@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <traverse/evaluation/cells.h>
+#include "judged_cells.h"
+
 #include <traverse/evaluation/confusion.h>
 
 #include <algorithm>
@@ -12,12 +13,6 @@ namespace traverse::evaluation
 {
 namespace
 {
-double share(uint64_t part, uint64_t whole)
-{
-  return whole == 0 ? std::numeric_limits<double>::quiet_NaN()
-                    : static_cast<double>(part) / static_cast<double>(whole);
-}
-
 std::vector<std::string> namesOf(const std::vector<layers::LegendEntry>& legend)
 {
   std::vector<std::string> names = {"undefined"};
@@ -34,33 +29,6 @@ std::vector<std::string> namesOf(const std::vector<layers::LegendEntry>& legend)
   }
   return names;
 }
-
-/** How many returns a cell of the map has, whatever the layer's type. */
-class Returns
-{
- public:
-  Returns(const layers::LayerSet& map, const std::string& layer)
-  {
-    const layers::Layer* found = map.find(layer);
-    if (found != nullptr && std::holds_alternative<std::vector<uint8_t>>(found->data))
-    {
-      bytes_ = viewOf<uint8_t>(map, layer);
-    }
-    else
-    {
-      counts_ = viewOf<uint32_t>(map, layer);
-    }
-  }
-
-  uint32_t at(geometry::CellIndex c) const
-  {
-    return std::max<uint32_t>(bytes_.at(c), counts_.at(c));
-  }
-
- private:
-  CellView<uint8_t> bytes_;  // one of the two is empty
-  CellView<uint32_t> counts_;
-};
 
 ClassScore scoreOf(const Confusion& confusion, uint8_t code)
 {
@@ -162,26 +130,15 @@ ClassScores scoresOf(const Confusion& confusion)
 Confusion confusionOf(
     const layers::LayerSet& map, const layers::LayerSet& truth, const ConfusionParams& params)
 {
-  checkLattice(map, truth);
-  const auto found = viewOf<uint8_t>(map, map.class_layer);
-  const auto real = viewOf<uint8_t>(truth, params.truth_layer);
-  const Returns returns(map, params.returns_layer);
-  CellView<uint8_t> skipped;
-  if (truth.find(params.left_out_layer) != nullptr)
-  {
-    skipped = viewOf<uint8_t>(truth, params.left_out_layer);
-  }
+  const JudgedCells cells(map, truth, params);
   Confusion confusion(namesOf(truth.legend));
   forEachCell(
       truth.extent,
       [&](geometry::CellIndex c)
       {
-        const uint8_t is = real.at(c);
-        const bool judged =
-            is != 0 && returns.at(c) >= params.min_returns && skipped.at(c) == 0;
-        if (judged)
+        if (cells.judged(c))
         {
-          confusion.add(is, found.at(c));
+          confusion.add(cells.truth(c), cells.found(c));
         }
         else
         {

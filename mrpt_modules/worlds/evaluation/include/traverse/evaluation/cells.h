@@ -31,13 +31,16 @@ class CellView
 
   const geometry::CellRect& extent() const { return extent_; }
 
- private:
+  size_t size() const { return cells_ == nullptr ? 0 : cells_->size(); }
+
+  /** Row by row; of a cell of the extent. */
   size_t indexOf(geometry::CellIndex c) const
   {
     return static_cast<size_t>(c.y - extent_.min.y) * static_cast<size_t>(extent_.width()) +
            static_cast<size_t>(c.x - extent_.min.x);
   }
 
+ private:
   geometry::CellRect extent_;
   const std::vector<T>* cells_ = nullptr;
 };

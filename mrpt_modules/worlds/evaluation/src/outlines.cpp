@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clusters.h"
+
+#include <traverse/evaluation/cells.h>
+#include <traverse/evaluation/obstacles.h>
+#include <traverse/evaluation/outlines.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace traverse::evaluation
+{
+namespace
+{
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double distanceToAny(const TrueOutline& outline, const Eigen::Vector2d& place)
+{
+  double nearest = kFar;
+  for (const Polygon& polygon : outline.polygons)
+  {
+    nearest = std::min(nearest, distanceTo(polygon, place));
+  }
+  return nearest;
+}
+
+struct Box
+{
+  Eigen::Vector2d min = Eigen::Vector2d::Constant(kFar);
+  Eigen::Vector2d max = Eigen::Vector2d::Constant(-kFar);
+
+  /** A lower bound of the distance to what is within. */
+  double distanceTo(const Eigen::Vector2d& p) const
+  {
+    return (min - p).cwiseMax(p - max).cwiseMax(0.0).norm();
+  }
+};
+
+Box boxOf(const TrueOutline& outline)
+{
+  Box box;
+  for (const Polygon& polygon : outline.polygons)
+  {
+    for (const Eigen::Vector2d& p : polygon)
+    {
+      box.min = box.min.cwiseMin(p);
+      box.max = box.max.cwiseMax(p);
+    }
+  }
+  return box;
+}
+
+/** Places along the polygons' edges, at most a step apart. */
+std::vector<Eigen::Vector2d> edgePlaces(const TrueOutline& outline, double step_m)
+{
+  constexpr double kMostPlaces = 10000;
+  std::vector<Eigen::Vector2d> places;
+  for (const Polygon& polygon : outline.polygons)
+  {
+    for (size_t i = 0; i < polygon.size(); ++i)
+    {
+      const Eigen::Vector2d& from = polygon[i];
+      const Eigen::Vector2d way = polygon[(i + 1) % polygon.size()] - from;
+      const int steps =
+          static_cast<int>(std::clamp(std::ceil(way.norm() / step_m), 1.0, kMostPlaces));
+      for (int k = 0; k < steps; ++k)
+      {
+        places.emplace_back(from + way * k / steps);
+      }
+    }
+  }
+  return places;
+}
+
+class Matching
+{
+ public:
+  Matching(const layers::LayerSet& map, const std::vector<TrueOutline>& outlines) :
+      lattice_(map.lattice), outlines_(outlines), cells_of_(outlines.size())
+  {
+    boxes_.reserve(outlines.size());
+    std::transform(outlines.begin(), outlines.end(), std::back_inserter(boxes_), boxOf);
+  }
+
+  /** False where the cluster touches no thing. */
+  bool add(const Cluster& cluster)
+  {
+    std::vector<size_t> touched;
+    for (size_t i = 0; i < outlines_.size(); ++i)
+    {
+      const bool near = std::any_of(
+          cluster.begin(), cluster.end(),
+          [&](geometry::CellIndex c) { return distance(i, c, reach_m()) <= reach_m(); });
+      if (near)
+      {
+        touched.push_back(i);
+      }
+    }
+    for (const geometry::CellIndex c : touched.empty() ? Cluster{} : cluster)
+    {
+      size_t nearest = touched[0];
+      double least = kFar;
+      for (const size_t i : touched)
+      {
+        const double d = distance(i, c, least);
+        nearest = d < least ? i : nearest;
+        least = std::min(least, d);
+      }
+      cells_of_[nearest].push_back(c);
+    }
+    return !touched.empty();
+  }
+
+  OutlineScores take() const
+  {
+    OutlineScores scores;
+    for (size_t i = 0; i < outlines_.size(); ++i)
+    {
+      if (cells_of_[i].empty())
+      {
+        scores.not_found.push_back(outlines_[i].object);
+      }
+      else
+      {
+        scores.things.push_back(scoreOf(outlines_[i], cells_of_[i]));
+      }
+    }
+    return scores;
+  }
+
+ private:
+  /** One cell beyond the cell that holds the edge: from middle to edge. */
+  double reach_m() const { return 1.5 * lattice_.cell_m(); }
+
+  Eigen::Vector2d middle(geometry::CellIndex c) const
+  {
+    return {lattice_.centre_m(c.x), lattice_.centre_m(c.y)};
+  }
+
+  double distance(size_t i, geometry::CellIndex c, double if_below) const
+  {
+    const Eigen::Vector2d place = middle(c);
+    return boxes_[i].distanceTo(place) > if_below ? kFar : distanceToAny(outlines_[i], place);
+  }
+
+  OutlineScore scoreOf(
+      const TrueOutline& outline, const std::vector<geometry::CellIndex>& cells) const
+  {
+    const double cell_m2 = lattice_.cell_m() * lattice_.cell_m();
+    OutlineScore score;
+    score.object = outline.object;
+    const std::vector<Eigen::Vector2d> edge = edgePlaces(outline, lattice_.cell_m() / 2);
+    const double true_cells = static_cast<double>(cellsWithin(outline));
+    double both = 0;
+    for (const geometry::CellIndex c : cells)
+    {
+      const double d = distanceToAny(outline, middle(c));
+      both += d == 0 ? 1 : 0;
+      score.hausdorff_m = std::max(score.hausdorff_m, d);
+    }
+    for (const Eigen::Vector2d& place : edge)
+    {
+      score.hausdorff_m = std::max(score.hausdorff_m, nearestOf(cells, place));
+    }
+    for (const Polygon& polygon : outline.polygons)
+    {
+      score.true_area_m2 += areaOf(polygon);
+    }
+    const auto found = static_cast<double>(cells.size());
+    score.found_area_m2 = found * cell_m2;
+    score.area_error_m2 = (found - both + true_cells - both) * cell_m2;
+    return score;
+  }
+
+  /** Of a place from the nearest of the squares of cells. */
+  double nearestOf(
+      const std::vector<geometry::CellIndex>& cells, const Eigen::Vector2d& place) const
+  {
+    double least = kFar;
+    for (const geometry::CellIndex c : cells)
+    {
+      const Eigen::Vector2d off =
+          ((place - middle(c)).cwiseAbs() - Eigen::Vector2d::Constant(lattice_.cell_m() / 2))
+              .cwiseMax(0.0);
+      least = std::min(least, off.squaredNorm());
+    }
+    return std::sqrt(least);
+  }
+
+  uint64_t cellsWithin(const TrueOutline& outline) const
+  {
+    constexpr double kLargest_m = 1e4;  // beyond that nobody draws a thing
+    const Box box = boxOf(outline);
+    if (!((box.max - box.min).maxCoeff() <= kLargest_m))
+    {
+      return 0;
+    }
+    const auto index = [&](const Eigen::Vector2d& p)
+    { return lattice_.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y())); };
+    const geometry::CellIndex last = index(box.max);
+    uint64_t count = 0;
+    forEachCell(
+        {index(box.min), {last.x + 1, last.y + 1}},
+        [&](geometry::CellIndex c) { count += distanceToAny(outline, middle(c)) == 0 ? 1 : 0; });
+    return count;
+  }
+
+  geometry::Lattice lattice_;
+  const std::vector<TrueOutline>& outlines_;
+  std::vector<Box> boxes_;
+  std::vector<std::vector<geometry::CellIndex>> cells_of_;
+};
+
+std::vector<TrueOutline> usable(const std::vector<TrueOutline>& outlines)
+{
+  std::vector<TrueOutline> all;
+  for (TrueOutline outline : outlines)
+  {
+    std::erase_if(outline.polygons, [](const Polygon& p) { return p.size() < 3; });
+    if (!outline.polygons.empty())
+    {
+      all.push_back(std::move(outline));
+    }
+  }
+  return all;
+}
+}  // namespace
+
+double areaOf(const Polygon& polygon)
+{
+  double twice = 0;
+  for (size_t i = 0; i < polygon.size(); ++i)
+  {
+    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  }
+  return std::abs(twice) / 2;
+}
+
+double distanceTo(const Polygon& polygon, const Eigen::Vector2d& place)
+{
+  double nearest2 = kFar;
+  bool left = false;
+  bool right = false;
+  for (size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Eigen::Vector2d& from = polygon[i];
+    const Eigen::Vector2d edge = polygon[(i + 1) % polygon.size()] - from;
+    const double side = cross(edge, place - from);
+    left = left || side > 0;
+    right = right || side < 0;
+    const double length2 = edge.squaredNorm();
+    const double along =
+        length2 > 0 ? std::clamp((place - from).dot(edge) / length2, 0.0, 1.0) : 0.0;
+    nearest2 = std::min(nearest2, (place - from - along * edge).squaredNorm());
+  }
+  return left && right ? std::sqrt(nearest2) : 0;
+}
+
+OutlineScores outlineScores(const layers::LayerSet& map, const std::vector<TrueOutline>& outlines)
+{
+  const std::vector<TrueOutline> drawn = usable(outlines);
+  Matching matching(map, drawn);
+  uint64_t clusters = 0;
+  uint64_t foreign = 0;
+  for (const Cluster& cluster : clustersOf(map, kObstacle))
+  {
+    ++clusters;
+    foreign += matching.add(cluster) ? 0 : 1;
+  }
+  OutlineScores scores = matching.take();
+  scores.clusters = clusters;
+  scores.foreign_clusters = foreign;
+  return scores;
+}
+}  // namespace traverse::evaluation
