@@ -8,6 +8,7 @@
 #include <traverse/formats/geotiff.h>
 #include <traverse/formats/occupancy_image.h>
 #include <traverse/formats/png.h>
+#include <traverse/formats/trajectory.h>
 #include <traverse/rendering/offscreen.h>
 
 #include <algorithm>
@@ -226,6 +227,11 @@ void Outputs::finish(
           return mapSection(metrics_.maps[i], {set, path}, std::move(pictures_));
         }));
     pictures_.clear();
+  }
+  if (track.moves())
+  {
+    const std::span<const poses::StampedPose> all = track.poses();
+    write("trajectory.tum", formats::tumTrajectory({all.begin(), all.end()}));
   }
   write(kConfigFile, configIni(settings_));
   write("report.html", reportPage(settings_, metrics_, std::move(sections)));

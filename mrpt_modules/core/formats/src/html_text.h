@@ -41,6 +41,9 @@ const PageScript& sortScript();
  * address but data in the page, and every script but those of `script_source` (empty: all). */
 std::string headLines(const std::string& script_source);
 
+/** What stands in a section below its heading. */
+std::string blocksHtml(const Section& section);
+
 std::string barChartSvg(const BarChart& chart);
 std::string histogramSvg(const Histogram& histogram);
 std::string timelineSvg(const Timeline& timeline);

@@ -175,6 +175,16 @@ std::string headLines(const std::string& script_source)
          scripts + "\">\n";
 }
 
+std::string blocksHtml(const Section& section)
+{
+  std::string out;
+  for (const Block& b : section.blocks)
+  {
+    out += std::visit([](const auto& content) { return block(content); }, b);
+  }
+  return out;
+}
+
 std::string html(const Report& report)
 {
   const bool with_script = hasMaps(report);
@@ -190,11 +200,7 @@ std::string html(const Report& report)
   {
     const Section& section = report.sections[i];
     page += fmt::format("<section id=\"s{}\">\n<h2>{}</h2>\n", i, escaped(section.title));
-    for (const Block& b : section.blocks)
-    {
-      page += std::visit([](const auto& content) { return block(content); }, b);
-    }
-    page += "</section>\n";
+    page += blocksHtml(section) + "</section>\n";
   }
   page += "</main>\n<footer>" + escaped(report.footer) + "</footer>\n";
   if (with_script)

@@ -100,6 +100,7 @@ ObstacleScore obstacleScore(
   score.objects = found_by_object.size();
   for (const auto& [object, any] : found_by_object)
   {
+    score.seen.push_back(object);
     score.found_objects += any ? 1 : 0;
     if (!any)
     {

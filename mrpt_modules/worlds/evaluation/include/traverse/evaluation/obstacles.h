@@ -24,7 +24,8 @@ struct ObstacleScore
   uint64_t found_objects = 0;    //!< of them, with one found cell at least
   uint64_t map_cells = 0;        //!< cells found as obstacles, where there is truth
   uint64_t phantom_cells = 0;    //!< of them, farther than one cell from any true obstacle
-  std::vector<uint32_t> missed;  //!< numbers of the things that were not found
+  std::vector<uint32_t> seen;    //!< numbers of the things, ascending
+  std::vector<uint32_t> missed;  //!< of those that were not found
 
   double cellRecall() const;    //!< NaN without true cells
   double objectRecall() const;  //!< NaN without things

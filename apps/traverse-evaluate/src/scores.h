@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "truth_folder.h"
+
+#include <traverse/evaluation/confusion.h>
+#include <traverse/evaluation/obstacles.h>
+#include <traverse/evaluation/outlines.h>
+#include <traverse/evaluation/trajectory_errors.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace traverse::app
+{
+/** One map of a run against the truth. */
+struct MapScores
+{
+  std::string file;
+  std::string not_compared;  //!< why; empty where it was
+  evaluation::Confusion confusion;
+  evaluation::ObstacleScore obstacles;
+  evaluation::StateAgreement states;
+  evaluation::OutlineScores outlines;  //!< of things with returns
+  layers::LayerSet verdicts;
+};
+
+/** The run's poses against the true ones. */
+struct PathScores
+{
+  size_t poses = 0;
+  size_t without_truth = 0;
+  evaluation::AbsoluteError absolute;
+  std::vector<evaluation::RelativeError> relative;
+  evaluation::RelativeError step;
+};
+
+struct Scores
+{
+  std::string run;
+  std::string truth;
+  std::vector<MapScores> maps;
+  std::optional<PathScores> path;
+
+  bool anyCompared() const;
+};
+
+/** Of all maps of an output folder. Needs plugin::registerAllMaps(). Throws formats::FormatError
+ * for what cannot be read. */
+Scores scoresOfRun(
+    const std::filesystem::path& run, const TruthFolder& truth, uint32_t min_returns);
+}  // namespace traverse::app
