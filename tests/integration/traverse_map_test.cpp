@@ -74,6 +74,7 @@ TEST(TraverseMap, MapsTheLaserDrive)
   const auto metrics = metricsOf(scratch / "out");
   EXPECT_EQ(metrics["scans"], 225);
   EXPECT_EQ(metrics["pose_source"], "icp_2d");
+  EXPECT_GT(fs::file_size(scratch / "out" / "trajectory.tum"), 225U * 20);
   EXPECT_EQ(metrics["maps"][0]["scans"], 225);
 }
 
