@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/evaluation/trajectory_errors.h>
+
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <numbers>
 #include <sstream>
@@ -49,35 +50,16 @@ struct Errors
   double step_deg_per_m = 0;
 };
 
-inline double rmse(const Eigen::Matrix3Xd& difference)
-{
-  return std::sqrt(difference.colwise().squaredNorm().mean());
-}
-
 inline Errors errorsOf(const Path& found, const Path& reference)
 {
-  const auto n = static_cast<Eigen::Index>(found.size());
-  Eigen::Matrix3Xd a(3, n);
-  Eigen::Matrix3Xd b(3, n);
-  double way_m = 0;
-  double off_m = 0;
-  double off_deg = 0;
-  for (Eigen::Index i = 0; i < n; ++i)
+  std::vector<evaluation::PosePair> pairs;
+  pairs.reserve(found.size());
+  for (size_t i = 0; i < found.size(); ++i)
   {
-    const auto k = static_cast<size_t>(i);
-    a.col(i) = (found[0].inverse() * found[k]).translation();
-    b.col(i) = (reference[0].inverse() * reference[k]).translation();
-    if (k > 0)
-    {
-      const Eigen::Isometry3d step = reference[k - 1].inverse() * reference[k];
-      const Eigen::Isometry3d off = step.inverse() * (found[k - 1].inverse() * found[k]);
-      way_m += step.translation().norm();
-      off_m += off.translation().norm();
-      off_deg += Eigen::AngleAxisd(off.linear()).angle() * kDegPerRad;
-    }
+    pairs.push_back({0, found[i], reference[i]});
   }
-  const Eigen::Isometry3d T(Eigen::umeyama(a, b, false));
-  return {rmse(a - b), rmse((T * a) - b), 100 * off_m / way_m, off_deg / way_m};
+  const evaluation::AbsoluteError whole = evaluation::absoluteError(pairs);
+  const evaluation::RelativeError steps = evaluation::stepError(pairs);
+  return {whole.from_start_m, whole.rmse_m, steps.translation_percent, steps.rotation_deg_per_m};
 }
-
 }  // namespace traverse::testing
