@@ -137,6 +137,13 @@ TEST(Outlines, EachCellBelongsToTheNearestOfTwoThings)
   EXPECT_NEAR(s.things[1].area_error_m2 + s.things[0].area_error_m2, 0.04, 1e-12);
 }
 
+TEST(Outlines, HugeThingsAreMeasuredNotCounted)
+{
+  const OutlineScores s = outlineScores(drawnClasses({"44"}), {{2, {rectangle(0, 0, 1e7, 0.2)}}});
+  ASSERT_EQ(s.things.size(), 1U);
+  EXPECT_NEAR(s.things[0].area_error_m2, 2e6 - 0.08, 1);
+}
+
 TEST(Outlines, NothingGivesNothing)
 {
   EXPECT_TRUE(outlineScores(drawnClasses({"11"}), {}).things.empty());

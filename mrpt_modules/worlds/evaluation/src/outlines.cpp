@@ -32,6 +32,17 @@ double distanceToAny(const TrueOutline& outline, const Eigen::Vector2d& place)
   return nearest;
 }
 
+/** Pieces of a thing do not overlap much. */
+double areaOf(const TrueOutline& outline)
+{
+  double area_m2 = 0;
+  for (const Polygon& polygon : outline.polygons)
+  {
+    area_m2 += evaluation::areaOf(polygon);
+  }
+  return area_m2;
+}
+
 struct Box
 {
   Eigen::Vector2d min = Eigen::Vector2d::Constant(kFar);
@@ -158,7 +169,7 @@ class Matching
     OutlineScore score;
     score.object = outline.object;
     const std::vector<Eigen::Vector2d> edge = edgePlaces(outline, lattice_.cell_m() / 2);
-    const double true_cells = static_cast<double>(cellsWithin(outline));
+    const double true_cells = cellsWithin(outline);
     double both = 0;
     for (const geometry::CellIndex c : cells)
     {
@@ -170,10 +181,7 @@ class Matching
     {
       score.hausdorff_m = std::max(score.hausdorff_m, nearestOf(cells, place));
     }
-    for (const Polygon& polygon : outline.polygons)
-    {
-      score.true_area_m2 += areaOf(polygon);
-    }
+    score.true_area_m2 = areaOf(outline);
     const auto found = static_cast<double>(cells.size());
     score.found_area_m2 = found * cell_m2;
     score.area_error_m2 = (found - both + true_cells - both) * cell_m2;
@@ -195,18 +203,21 @@ class Matching
     return std::sqrt(least);
   }
 
-  uint64_t cellsWithin(const TrueOutline& outline) const
+  /** Cells of which the middle lies within. */
+  double cellsWithin(const TrueOutline& outline) const
   {
-    constexpr double kLargest_m = 1e4;  // beyond that nobody draws a thing
+    constexpr double kMostCells = 4e6;  // of larger ones nobody looks at each
     const Box box = boxOf(outline);
-    if (!((box.max - box.min).maxCoeff() <= kLargest_m))
+    const double cell_m2 = lattice_.cell_m() * lattice_.cell_m();
+    const Eigen::Vector2d edges = (box.max - box.min).array() + lattice_.cell_m();
+    if (!(edges.prod() <= kMostCells * cell_m2))
     {
-      return 0;
+      return areaOf(outline) / cell_m2;
     }
     const auto index = [&](const Eigen::Vector2d& p)
     { return lattice_.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y())); };
     const geometry::CellIndex last = index(box.max);
-    uint64_t count = 0;
+    double count = 0;
     forEachCell(
         {index(box.min), {last.x + 1, last.y + 1}},
         [&](geometry::CellIndex c) { count += distanceToAny(outline, middle(c)) == 0 ? 1 : 0; });
