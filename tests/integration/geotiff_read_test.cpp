@@ -152,7 +152,7 @@ TEST(TruthFiles, ReadBackAsTheTruth)
   }
   for (const char* name :
        {"truth_class.tif", "truth_state.tif", "truth_ground_height.tif", "truth_swept.tif",
-        "footprints.geojson", "objects.csv", "trajectory.tum"})
+        "footprints.geojson"})
   {
     EXPECT_TRUE(names.contains(name)) << name;
   }

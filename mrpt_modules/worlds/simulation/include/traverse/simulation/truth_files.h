@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <traverse/poses/pose_track.h>
 #include <traverse/simulation/truth.h>
 
 #include <string>
@@ -18,7 +17,6 @@ struct TruthRequest
   double from_s = 0;  //!< moving things between these times mark the cells that they covered
   double to_s = 0;    //!< and the cells are judged with things where they are at this one
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
-  std::vector<poses::StampedPose> trajectory;  //!< exact poses of the vehicle
 };
 
 /** A file to write. */
@@ -28,8 +26,9 @@ struct TruthFile
   std::string bytes;
 };
 
-/** The truth in open formats (doc/simulation.md): truth_*.tif per layer of cellTruth() and
- * sweptCells(), footprints.geojson, objects.csv, trajectory.tum. The same bytes on every machine
+/** The truth about places in open formats (doc/simulation.md): truth_*.tif per layer of cellTruth()
+ * and sweptCells(), footprints.geojson. (What belongs to a recording, objects.csv, labels of points
+ * and trajectory.tum, is the app's.) The same bytes on every machine
  * with the same GDAL. Throws as cellTruth(). */
 std::vector<TruthFile> truthFiles(const Scene& scene, const TruthRequest& request);
 }  // namespace traverse::simulation
