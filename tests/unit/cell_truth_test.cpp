@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <support/truth_by_place.h>
 #include <support/truth_scenes.h>
 
 namespace
@@ -17,65 +18,6 @@ using namespace traverse;
 using namespace traverse::simulation;
 using namespace traverse::testing;
 
-/** The truth of a scene, asked by place. */
-class Truth
-{
- public:
-  explicit Truth(const Scene& scene, double at_s = 0, const Eigen::Vector2d& start = {-3.5, 0.1}) :
-      set_(cellTruth(scene, geometry::Vehicle{}, TruthParams{}, at_s, start))
-  {
-  }
-
-  const layers::LayerSet& set() const { return set_; }
-
-  TrueClass of(double x_m, double y_m) const
-  {
-    return static_cast<TrueClass>(value<uint8_t>("truth_class", x_m, y_m));
-  }
-
-  TrueState state(double x_m, double y_m) const
-  {
-    return static_cast<TrueState>(value<uint8_t>("truth_state", x_m, y_m));
-  }
-
-  float number(const char* layer, double x_m, double y_m) const
-  {
-    return value<float>(layer, x_m, y_m);
-  }
-
-  uint32_t object(double x_m, double y_m) const
-  {
-    return value<uint32_t>("truth_object", x_m, y_m);
-  }
-
-  Label label(double x_m, double y_m) const
-  {
-    return static_cast<Label>(value<uint8_t>("truth_label", x_m, y_m));
-  }
-
-  /** True where all cells are of this class. */
-  bool all(TrueClass of) const
-  {
-    const auto& codes = std::get<std::vector<uint8_t>>(set_.find("truth_class")->data);
-    return std::all_of(
-        codes.begin(), codes.end(), [&](uint8_t c) { return c == static_cast<uint8_t>(of); });
-  }
-
- private:
-  template <class T>
-  T value(const char* layer, double x_m, double y_m) const
-  {
-    const geometry::CellIndex c =
-        set_.lattice.cellOf(geometry::toMillimetres(x_m), geometry::toMillimetres(y_m));
-    const auto& cells = std::get<std::vector<T>>(set_.find(layer)->data);
-    return cells.at(
-        static_cast<size_t>(c.y - set_.extent.min.y) * static_cast<size_t>(set_.extent.width()) +
-        static_cast<size_t>(c.x - set_.extent.min.x));
-  }
-
-  layers::LayerSet set_;
-};
-
 double inclined(double deg)
 {
   return geometry::tangentOf(deg / 180 * geometry::kPi);
@@ -83,7 +25,7 @@ double inclined(double deg)
 
 TEST(CellTruth, LevelGroundIsFlatAndFree)
 {
-  const Truth truth(levelScene());
+  const TruthByPlace truth(levelScene());
   EXPECT_EQ(truth.set().extent, (geometry::CellRect{{-20, -20}, {20, 20}}));
   EXPECT_TRUE(truth.all(TrueClass::flat));
   EXPECT_EQ(truth.state(1, 1), TrueState::free);
@@ -92,10 +34,20 @@ TEST(CellTruth, LevelGroundIsFlatAndFree)
   EXPECT_EQ(truth.number("truth_roughness", 1, 1), 0);
 }
 
+TEST(CellTruth, StartInAPartOfACellIsTakenFromTheNearest)
+{
+  Scene scene = levelScene();
+  scene.area = {-4.15, -4, 4.15, 4};
+  const TruthByPlace left(scene, 0, {-4.15, 0});
+  EXPECT_EQ(left.set().extent.width(), 40);
+  EXPECT_TRUE(left.all(TrueClass::flat));
+  EXPECT_TRUE(TruthByPlace(scene, 0, {4.15, 4}).all(TrueClass::flat));
+}
+
 TEST(CellTruth, SlopeBelowTheLimitIsFlat)
 {
   const double rise = inclined(19);
-  const Truth truth(sceneOf([=](double x, double) { return ground(rise * x); }));
+  const TruthByPlace truth(sceneOf([=](double x, double) { return ground(rise * x); }));
   EXPECT_TRUE(truth.all(TrueClass::flat));
   EXPECT_NEAR(truth.number("truth_slope", 1, 1), 19, 1e-3);  // heights are floats
   EXPECT_NEAR(truth.number("ground_height", 1.1, 1), rise * 1.1, 1e-5);
@@ -104,7 +56,7 @@ TEST(CellTruth, SlopeBelowTheLimitIsFlat)
 TEST(CellTruth, SlopeAboveTheLimitIsAnObstacle)
 {
   const double rise = inclined(21);
-  const Truth truth(sceneOf([=](double, double y) { return ground(rise * y); }));
+  const TruthByPlace truth(sceneOf([=](double, double y) { return ground(rise * y); }));
   EXPECT_TRUE(truth.all(TrueClass::obstacle));
   EXPECT_NEAR(truth.number("truth_slope", 1, 1), 21, 1e-3);
 }
@@ -112,8 +64,8 @@ TEST(CellTruth, SlopeAboveTheLimitIsAnObstacle)
 TEST(CellTruth, SmoothGroundInterpolatedIsAsSampled)
 {
   const auto hill = [](double x, double y) { return ground(0.03 * x * x - 0.02 * x * y); };
-  const Truth sampled(sceneOf(hill, true));
-  const Truth between(sceneOf(hill, false));
+  const TruthByPlace sampled(sceneOf(hill, true));
+  const TruthByPlace between(sceneOf(hill, false));
   // the parabola's sag within 0.2 m is 0.06 * 0.2^2 / 8 = 0.3 mm
   EXPECT_NEAR(
       sampled.number("ground_height", 1.1, -0.7), between.number("ground_height", 1.1, -0.7), 4e-4);
@@ -124,7 +76,7 @@ TEST(CellTruth, SmoothGroundInterpolatedIsAsSampled)
 
 TEST(CellTruth, KerbIsChargedToItsHigherSide)
 {
-  const Truth truth(sceneOf([](double x, double) { return ground(x >= 1 ? 0.15 : 0); }));
+  const TruthByPlace truth(sceneOf([](double x, double) { return ground(x >= 1 ? 0.15 : 0); }));
   EXPECT_EQ(truth.of(0.9, 0), TrueClass::flat);
   EXPECT_EQ(truth.of(1.1, 0), TrueClass::large_roughness);
   EXPECT_NEAR(truth.number("truth_step", 1.1, 0), 0.15, 1e-6);
@@ -133,7 +85,7 @@ TEST(CellTruth, KerbIsChargedToItsHigherSide)
 
 TEST(CellTruth, RutsAndBanksAreMeasuredFromTheSmoothGround)
 {
-  const Truth truth(sceneOf(
+  const TruthByPlace truth(sceneOf(
       [](double x, double)
       {
         const double rut = std::abs(x) < 0.3 ? -0.08 : 0;
@@ -150,7 +102,7 @@ TEST(CellTruth, WallFillsTheCellsThatItReachesInto)
   Scene scene = levelScene();
   scene.objects.push_back(boxObject({{1.0F, -1.0F, 0}, {1.6F, 1.0F, 2.0F}}, Label::wall));
   scene.objects.push_back(boxObject({{-1.05F, 0.61F, 0}, {-0.95F, 0.79F, 2.0F}}));
-  const Truth truth(scene);
+  const TruthByPlace truth(scene);
   EXPECT_EQ(truth.of(1.1, 0), TrueClass::obstacle);
   EXPECT_EQ(truth.state(1.5, 0.9), TrueState::occupied);
   EXPECT_EQ(truth.object(1.5, 0), Scene::kFirstObject);
@@ -169,7 +121,7 @@ TEST(CellTruth, FlatTopsOfThingsAreObstacles)
 {
   Scene scene = levelScene();
   scene.objects.push_back(boxObject({{0.0F, 0.0F, 0.70F}, {2.0F, 2.0F, 0.75F}}, Label::structure));
-  const Truth truth(scene);
+  const TruthByPlace truth(scene);
   EXPECT_EQ(truth.of(1, 1), TrueClass::obstacle);
   EXPECT_NEAR(truth.number("truth_step", 1, 1), 0.75, 1e-6);
 }
@@ -179,7 +131,7 @@ TEST(CellTruth, BridgeAboveTheVehicleIsAnOverhangOneBelowAnObstacle)
   Scene scene = levelScene();
   scene.objects.push_back(boxObject({{0, 0, 3.0F}, {2, 2, 3.5F}}, Label::structure));
   scene.objects.push_back(boxObject({{-2, -2, 1.5F}, {-1, -1, 2.0F}}, Label::structure));
-  const Truth truth(scene);
+  const TruthByPlace truth(scene);
   EXPECT_EQ(truth.of(1, 1), TrueClass::flat);
   EXPECT_EQ(truth.state(1, 1), TrueState::overhang);
   EXPECT_EQ(truth.object(1, 1), Scene::kGround);
@@ -192,7 +144,7 @@ TEST(CellTruth, WireIsAnObstacle)
   Scene scene = levelScene();
   scene.objects.push_back(
       boxObject({{0.0F, 0.5985F, 0.5F}, {2.0F, 0.6015F, 0.503F}}, Label::fence));
-  const Truth truth(scene);
+  const TruthByPlace truth(scene);
   EXPECT_EQ(truth.of(1, 0.5), TrueClass::obstacle);
   EXPECT_EQ(truth.of(1, 0.7), TrueClass::obstacle);
   EXPECT_EQ(truth.of(1, 0.9), TrueClass::flat);
@@ -200,7 +152,7 @@ TEST(CellTruth, WireIsAnObstacle)
 
 TEST(CellTruth, DitchIsADitchAndAnObstacle)
 {
-  const Truth truth(sceneOf(
+  const TruthByPlace truth(sceneOf(
       [](double x, double)
       {
         GroundAt at = relief(x > 1 && x < 2 ? -0.6 : 0);
@@ -218,7 +170,7 @@ TEST(CellTruth, GrassIsNeverWorseThanLargeRoughness)
   {
     Scene scene = levelScene();
     scene.objects.push_back(grassObject({{0, 0, 0}, {2, 2, 0}}, height_m));
-    return Truth(scene).of(1.1, 1.1);
+    return TruthByPlace(scene).of(1.1, 1.1);
   };
   EXPECT_EQ(grown(0.05F), TrueClass::small_roughness);
   EXPECT_EQ(grown(0.20F), TrueClass::large_roughness);
@@ -230,14 +182,14 @@ TEST(CellTruth, WhatIsHardInGrassCounts)
   Scene scene = levelScene();
   scene.objects.push_back(grassObject({{0, 0, 0}, {2, 2, 0}}, 0.5F));
   scene.objects.push_back(boxObject({{1.0F, 1.0F, 0}, {1.2F, 1.2F, 0.4F}}, Label::thing));
-  const Truth truth(scene);
+  const TruthByPlace truth(scene);
   EXPECT_EQ(truth.of(1.1, 1.1), TrueClass::obstacle);
   EXPECT_EQ(truth.state(0.5, 0.5), TrueState::free);
 }
 
 TEST(CellTruth, PlatformsAndPitsThatCannotBeReachedAreObstacles)
 {
-  const Truth truth(sceneOf(
+  const TruthByPlace truth(sceneOf(
       [](double x, double y)
       {
         const bool inside = std::abs(x) < 1 && std::abs(y) < 1;
@@ -252,7 +204,7 @@ TEST(CellTruth, PlatformsAndPitsThatCannotBeReachedAreObstacles)
 
 TEST(CellTruth, PlatformWithARampIsReached)
 {
-  const Truth truth(sceneOf(
+  const TruthByPlace truth(sceneOf(
       [](double x, double) {
         return ground(x < -2 ? 0.0 : x < 1 ? (x + 2) / 3 : 1.0);
       }));  // 18.4 deg
@@ -268,9 +220,9 @@ TEST(CellTruth, ThingsStandWhereTheyAreAtTheTime)
   end.t_s = 2;
   end.T_map_body.translation().x() = 2;
   scene.objects[0].motion = Motion({start, end});
-  EXPECT_EQ(Truth(scene, 0).of(0.1, 0.1), TrueClass::obstacle);
-  EXPECT_EQ(Truth(scene, 2).of(0.1, 0.1), TrueClass::flat);
-  EXPECT_EQ(Truth(scene, 2).of(2.1, 0.1), TrueClass::obstacle);
+  EXPECT_EQ(TruthByPlace(scene, 0).of(0.1, 0.1), TrueClass::obstacle);
+  EXPECT_EQ(TruthByPlace(scene, 2).of(0.1, 0.1), TrueClass::flat);
+  EXPECT_EQ(TruthByPlace(scene, 2).of(2.1, 0.1), TrueClass::obstacle);
 }
 
 TEST(CellTruth, BallIsAsHighAsItIsOverEachCell)
@@ -279,7 +231,7 @@ TEST(CellTruth, BallIsAsHighAsItIsOverEachCell)
   Object ball;
   ball.balls.push_back({{0.1F, 0.1F, 0}, 0.5F, Material::snow});
   scene.objects.push_back(ball);
-  const Truth truth(scene);
+  const TruthByPlace truth(scene);
   EXPECT_NEAR(truth.number("truth_step", 0.1, 0.1), 0.5, 1e-6);
   // nearest 0.1 + 0.3 m from the axis, and 0.0005 m further (what ends on an edge ends there)
   EXPECT_NEAR(truth.number("truth_step", 0.5, 0.1), std::sqrt(0.25 - 0.3005 * 0.3005), 1e-5);
@@ -288,7 +240,7 @@ TEST(CellTruth, BallIsAsHighAsItIsOverEachCell)
 
 TEST(CellTruth, GroundThatIsNotThereIsUnknown)
 {
-  const Truth truth(
+  const TruthByPlace truth(
       sceneOf([](double x, double)
               { return ground(x > 1 ? std::numeric_limits<double>::quiet_NaN() : 0.0); }));
   EXPECT_EQ(truth.of(1.5, 0), TrueClass::unknown);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clusters.h"
+#include "polygons.h"
 
 #include <traverse/evaluation/cells.h>
 #include <traverse/evaluation/obstacles.h>
@@ -9,87 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace traverse::evaluation
 {
 namespace
 {
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-double distanceToAny(const TrueOutline& outline, const Eigen::Vector2d& place)
-{
-  double nearest = kFar;
-  for (const Polygon& polygon : outline.polygons)
-  {
-    nearest = std::min(nearest, distanceTo(polygon, place));
-  }
-  return nearest;
-}
-
-/** Pieces of a thing do not overlap much. */
-double areaOf(const TrueOutline& outline)
-{
-  double area_m2 = 0;
-  for (const Polygon& polygon : outline.polygons)
-  {
-    area_m2 += evaluation::areaOf(polygon);
-  }
-  return area_m2;
-}
-
-struct Box
-{
-  Eigen::Vector2d min = Eigen::Vector2d::Constant(kFar);
-  Eigen::Vector2d max = Eigen::Vector2d::Constant(-kFar);
-
-  /** A lower bound of the distance to what is within. */
-  double distanceTo(const Eigen::Vector2d& p) const
-  {
-    return (min - p).cwiseMax(p - max).cwiseMax(0.0).norm();
-  }
-};
-
-Box boxOf(const TrueOutline& outline)
-{
-  Box box;
-  for (const Polygon& polygon : outline.polygons)
-  {
-    for (const Eigen::Vector2d& p : polygon)
-    {
-      box.min = box.min.cwiseMin(p);
-      box.max = box.max.cwiseMax(p);
-    }
-  }
-  return box;
-}
-
-/** Places along the polygons' edges, at most a step apart. */
-std::vector<Eigen::Vector2d> edgePlaces(const TrueOutline& outline, double step_m)
-{
-  constexpr double kMostPlaces = 10000;
-  std::vector<Eigen::Vector2d> places;
-  for (const Polygon& polygon : outline.polygons)
-  {
-    for (size_t i = 0; i < polygon.size(); ++i)
-    {
-      const Eigen::Vector2d& from = polygon[i];
-      const Eigen::Vector2d way = polygon[(i + 1) % polygon.size()] - from;
-      const int steps =
-          static_cast<int>(std::clamp(std::ceil(way.norm() / step_m), 1.0, kMostPlaces));
-      for (int k = 0; k < steps; ++k)
-      {
-        places.emplace_back(from + way * k / steps);
-      }
-    }
-  }
-  return places;
-}
 
 class Matching
 {
@@ -181,7 +107,8 @@ class Matching
     {
       score.hausdorff_m = std::max(score.hausdorff_m, nearestOf(cells, place));
     }
-    score.true_area_m2 = areaOf(outline);
+    // pieces may overlap: then cells tell the area of all together
+    score.true_area_m2 = outline.polygons.size() == 1 ? areaOf(outline) : true_cells * cell_m2;
     const auto found = static_cast<double>(cells.size());
     score.found_area_m2 = found * cell_m2;
     score.area_error_m2 = (found - both + true_cells - both) * cell_m2;
@@ -244,36 +171,6 @@ std::vector<TrueOutline> usable(const std::vector<TrueOutline>& outlines)
   return all;
 }
 }  // namespace
-
-double areaOf(const Polygon& polygon)
-{
-  double twice = 0;
-  for (size_t i = 0; i < polygon.size(); ++i)
-  {
-    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
-  }
-  return std::abs(twice) / 2;
-}
-
-double distanceTo(const Polygon& polygon, const Eigen::Vector2d& place)
-{
-  double nearest2 = kFar;
-  bool left = false;
-  bool right = false;
-  for (size_t i = 0; i < polygon.size(); ++i)
-  {
-    const Eigen::Vector2d& from = polygon[i];
-    const Eigen::Vector2d edge = polygon[(i + 1) % polygon.size()] - from;
-    const double side = cross(edge, place - from);
-    left = left || side > 0;
-    right = right || side < 0;
-    const double length2 = edge.squaredNorm();
-    const double along =
-        length2 > 0 ? std::clamp((place - from).dot(edge) / length2, 0.0, 1.0) : 0.0;
-    nearest2 = std::min(nearest2, (place - from - along * edge).squaredNorm());
-  }
-  return left && right ? std::sqrt(nearest2) : 0;
-}
 
 OutlineScores outlineScores(const layers::LayerSet& map, const std::vector<TrueOutline>& outlines)
 {

@@ -229,8 +229,11 @@ std::vector<uint8_t> reachable(
       open.emplace_back(column, row);
     }
   };
-  const int column = static_cast<int>((start.x() - grid.minX_m()) / grid.sub_m());
-  const int row = static_cast<int>((start.y() - grid.minY_m()) / grid.sub_m());
+  // the area may end with a part of a cell, which the grid does not have
+  const auto sub_at = [&](double from_edge_m, int count)
+  { return static_cast<int>(std::clamp(from_edge_m / grid.sub_m(), 0.0, count - 1.0)); };
+  const int column = sub_at(start.x() - grid.minX_m(), grid.width());
+  const int row = sub_at(start.y() - grid.minY_m(), grid.height());
   // the start itself may stand on a kerb's edge: around it, half a cell
   for (int dy = -kSubsPerCell / 2; dy <= kSubsPerCell / 2; ++dy)
   {
