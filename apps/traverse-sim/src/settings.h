@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "command_line.h"
+
+#include <traverse/simulation/recording.h>
+
+#include <string>
+
+namespace traverse::app
+{
+/** A scene and what is recorded of it. */
+struct SimSettings
+{
+  simulation::Scene scene;
+  simulation::RecordingParams recording;
+  std::string text;  //!< of all, every key written out: an ini that makes the same again
+};
+
+/** Throws config::ConfigError. */
+SimSettings readSettings(const SimCommand& command);
+}  // namespace traverse::app
