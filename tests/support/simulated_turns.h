@@ -30,6 +30,7 @@ inline simulation::LidarParams perfectLidar(sensors::VelodyneModel model)
   simulation::LidarParams params;
   params.model = model;
   params.range_noise_m = 0;
+  params.laser_bias_m = 0;
   params.half_range_m = 0;
   return params;
 }

@@ -19,6 +19,7 @@ enum Purpose : uint64_t
 {
   kPackets = 1,
   kLosses = 2,
+  kBiases = 3,
 };
 }  // namespace
 
@@ -32,6 +33,12 @@ Lidar::Lidar(const LidarParams& params, uint64_t seed) : params_(params), seed_(
   turn_ns_ = nsOf(1 / params.rate_hz);
   packet_ns_ = sensors::kVelodyneBlocks * sensors::timingOf(params.model).blockNs();
   start_ns_ = nsOf(params.start_s);
+  const auto lasers = static_cast<uint64_t>(sensors::timingOf(params.model).lasers);
+  biases_m_.reserve(lasers);
+  for (uint64_t laser = 0; laser < lasers; ++laser)
+  {
+    biases_m_.push_back(params.laser_bias_m * Random(mixed({seed, kBiases, laser})).normal());
+  }
 }
 
 uint64_t Lidar::firstPacket(uint64_t k) const
@@ -90,7 +97,7 @@ LidarTurn Lidar::turn(uint64_t k, const RayCaster& scene, const Motion& drive) c
   const uint64_t end = firstPacket(k + 1);
   turn.packets.reserve(end - first);
   turn.returns.reserve((end - first) * sensors::kVelodyneBlocks * sensors::kVelodyneRecords);
-  PacketMaker maker(params_, {scene, drive}, turn_ns_, start_ns_);
+  PacketMaker maker(params_, {scene, drive, biases_m_}, turn_ns_, start_ns_);
   for (uint64_t packet = first; packet < end; ++packet)
   {
     const int64_t start_ns = packetStartNs(packet);

@@ -10,7 +10,8 @@
 
 namespace traverse::simulation
 {
-Receiver::Receiver(const LidarParams& params) :
+Receiver::Receiver(const LidarParams& params, const std::vector<double>& biases_m) :
+    biases_m_(biases_m),
     max_range_m_(
         params.max_range_m > 0 ? params.max_range_m
                                : static_cast<double>(sensors::timingOf(params.model).max_range_m)),
@@ -38,24 +39,16 @@ bool Receiver::isSeen(const Hit& hit, Random& random) const
   return random.uniform() * (1 + needed2 * needed2) < 1;
 }
 
-Measured Receiver::record(
-    const ReturnTruth& truth, double range_m, double intensity, Random& random) const
+Measured Receiver::record(size_t laser, const Seen& seen, Random& random) const
 {
-  const double noisy_m = noise_m_ > 0 ? range_m + noise_m_ * random.normal() : range_m;
-  const uint16_t count = sensors::countOfDistance(noisy_m, unit_m_);
-  const double shown = std::clamp(std::floor(100 * intensity + 0.5), 0.0, 255.0);
-  return {{count, static_cast<uint8_t>(count > 0 ? shown : 0)}, truth};
+  const double noise_m = noise_m_ > 0 ? noise_m_ * random.normal() : 0;
+  const uint16_t count =
+      sensors::countOfDistance(seen.range_m + biases_m_[laser] + noise_m, unit_m_);
+  const double shown = std::clamp(std::floor(100 * seen.intensity + 0.5), 0.0, 255.0);
+  return {{count, static_cast<uint8_t>(count > 0 ? shown : 0)}, seen.truth};
 }
 
-/** Drops near the sensor: many near, few far, as light that comes back falls with the range. */
-Measured Receiver::drop(double range_m, Random& random) const
-{
-  return record(
-      {Scene::kNoObject, Label::none, Material::soil, static_cast<float>(range_m)}, range_m, 0.02,
-      random);
-}
-
-Measured Receiver::measure(const Hit& hit, Random& random) const
+Measured Receiver::measure(size_t laser, const Hit& hit, Random& random) const
 {
   if (drop_out_ > 0 && random.chance(drop_out_))
   {
@@ -66,19 +59,22 @@ Measured Receiver::measure(const Hit& hit, Random& random) const
   {
     constexpr double kNearest = 0.5;
     constexpr double kFarthest = 15;
-    const double share = random.uniform();
+    constexpr double kFaint = 0.02;
+    const double share = random.uniform();  // many near, few far
     const double range_m = kNearest + (kFarthest - kNearest) * share * share;
     if (range_m < hit.range_m && !(seen && last_))
     {
-      return drop(range_m, random);
+      const ReturnTruth drop{
+          Scene::kNoObject, Label::none, Material::soil, static_cast<float>(range_m)};
+      return record(laser, {drop, range_m, kFaint}, random);
     }
   }
   if (!seen)
   {
     return {};
   }
-  return record(
-      {hit.object, hit.label, hit.material, static_cast<float>(hit.range_m)}, hit.range_m,
-      reflectivityOf(hit.material) * hit.cos_incidence, random);
+  const ReturnTruth truth{hit.object, hit.label, hit.material, static_cast<float>(hit.range_m)};
+  const double intensity = reflectivityOf(hit.material) * hit.cos_incidence;
+  return record(laser, {truth, hit.range_m, intensity}, random);
 }
 }  // namespace traverse::simulation

@@ -6,6 +6,8 @@
 #include <traverse/simulation/lidar.h>
 #include <traverse/simulation/random.h>
 
+#include <vector>
+
 namespace traverse::simulation
 {
 /** What a beam brings back. */
@@ -19,17 +21,26 @@ struct Measured
 class Receiver
 {
  public:
-  explicit Receiver(const LidarParams& params);
+  /** `biases_m`: what each laser measures too much. */
+  Receiver(const LidarParams& params, const std::vector<double>& biases_m);
 
   double maxRangeMetres() const { return max_range_m_; }
 
-  Measured measure(const Hit& hit, Random& random) const;
+  Measured measure(size_t laser, const Hit& hit, Random& random) const;
 
  private:
-  bool isSeen(const Hit& hit, Random& random) const;
-  Measured drop(double range_m, Random& random) const;
-  Measured record(const ReturnTruth& truth, double range_m, double intensity, Random& random) const;
+  /** A surface, and how bright it is. */
+  struct Seen
+  {
+    ReturnTruth truth;
+    double range_m = 0;
+    double intensity = 0;
+  };
 
+  bool isSeen(const Hit& hit, Random& random) const;
+  Measured record(size_t laser, const Seen& seen, Random& random) const;
+
+  const std::vector<double>& biases_m_;
   double max_range_m_;
   double unit_m_;
   double noise_m_;

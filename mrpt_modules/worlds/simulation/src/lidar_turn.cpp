@@ -33,7 +33,7 @@ PacketMaker::PacketMaker(
     timing_(sensors::timingOf(params.model)),
     lasers_(lasersOf(params.model)),
     encoder_(params.phase_deg, turn_ns),
-    receiver_(params),
+    receiver_(params, world.biases_m),
     T_base_sensor_(placeOf(params)),
     begin_ns_(begin_ns),
     last_pose_ns_(begin_ns),
@@ -67,8 +67,9 @@ void PacketMaker::fireSequence(
           ? random.normal() * params_.azimuth_jitter_deg * sensors::kUnitsPerDegree
           : 0;
   const auto jitter = static_cast<sensors::AzimuthUnits>(std::floor(jitter_units + 0.5));
-  for (const SimulatedLaser& laser : lasers_)
+  for (size_t i = 0; i < lasers_.size(); ++i)
   {
+    const SimulatedLaser& laser = lasers_[i];
     const int64_t time_ns = start_ns + laser.firing_ns;
     const sensors::SinCos a = sensors::sinCosOf(
         sensors::wrapped(encoder_.azimuth(time_ns - begin_ns_) + laser.azimuth_offset + jitter));
@@ -79,7 +80,7 @@ void PacketMaker::fireSequence(
     const Ray ray{
         placement.origin(fraction), placement.direction(in_sensor, fraction), secondsOf(time_ns)};
     const Measured measured =
-        receiver_.measure(world_.scene.cast(ray, receiver_.maxRangeMetres()), random);
+        receiver_.measure(i, world_.scene.cast(ray, receiver_.maxRangeMetres()), random);
     *records++ = measured.record;
     if (measured.record.distance > 0)
     {

@@ -20,6 +20,7 @@ class PacketMaker
   {
     const RayCaster& scene;
     const Motion& drive;
+    const std::vector<double>& biases_m;  //!< of the lasers
   };
 
   /** Times below are of the recording; `turn_begin_ns`: when the encoder is at phase_deg. */

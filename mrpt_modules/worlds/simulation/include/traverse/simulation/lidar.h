@@ -84,5 +84,6 @@ class Lidar
   int64_t turn_ns_;
   int64_t packet_ns_;
   int64_t start_ns_;
+  std::vector<double> biases_m_;  //!< of the lasers
 };
 }  // namespace traverse::simulation

@@ -27,10 +27,11 @@ struct LidarParams
   double yaw_deg = 0;
   double pitch_deg = 0;
   double roll_deg = 0;
-  double range_noise_m = 0.02;
+  double range_noise_m = 0.008;
+  double laser_bias_m = 0.006;
   double azimuth_jitter_deg = 0.0;
   double max_range_m = 0;
-  double half_range_m = 150;
+  double half_range_m = 370;
   double drop_out = 0;
   double rain_share = 0;
   double turn_loss = 0;
@@ -70,7 +71,14 @@ template <class P, class F>
 void visitLidarMeasuring(P& p, F&& f)
 {
   using options::Option;
-  f(Option{"range_noise_m", "standard deviation of a range, m", {0, 1}}, p.range_noise_m);
+  f(Option{"range_noise_m", "standard deviation from one range to the next, m", {0, 1}},
+    p.range_noise_m);
+  f(
+      Option{
+          "laser_bias_m",
+          "standard deviation of what each laser measures too much, always the same, m",
+          {0, 1}},
+      p.laser_bias_m);
   f(
       Option{
           "azimuth_jitter_deg",

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The program, its log as our reader and stock programs see it, and what kill -9 leaves.
+#include "support/log_reading.h"
+#include "support/process.h"
+#include "support/traverse_import.h"
+
+#include <traverse/formats/trajectory.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <thread>
+
+namespace traverse::testing
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/** Twelve seconds, so three parts, of a small lidar. */
+constexpr const char* kIni =
+    "[Drive]\n"
+    "xs_m = -40 0 40\n"
+    "ys_m = 0 5 0\n"
+    "duration_s = 12\n"
+    "[Lidar_00]\n"
+    "label = TOP\n"
+    "model = VLP-16\n"
+    "max_range_m = 30\n"
+    "rain_share = 0.01\n";
+
+std::vector<std::string> simCommand(const fs::path& ini, const fs::path& output)
+{
+  return {
+      std::string(TRAVERSE_BINARY_DIR) + "/bin/traverse-sim",
+      ini.string(),
+      "--output",
+      output.string(),
+      "--seed",
+      "7"};
+}
+
+Finished simulate(
+    const fs::path& ini, const fs::path& output, const std::vector<std::string>& options = {})
+{
+  std::vector<std::string> arguments = simCommand(ini, output);
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return run(arguments);
+}
+
+/** Every file's bytes by its name. */
+std::map<std::string, std::string> filesIn(const fs::path& folder)
+{
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+  {
+    if (entry.is_regular_file())
+    {
+      files[fs::relative(entry.path(), folder).string()] = readText(entry.path());
+    }
+  }
+  return files;
+}
+
+std::vector<uint32_t> labelsIn(const fs::path& file)
+{
+  const std::string bytes = readText(file);
+  std::vector<uint32_t> labels(bytes.size() / sizeof(uint32_t));
+  std::memcpy(labels.data(), bytes.data(), labels.size() * sizeof(uint32_t));
+  return labels;
+}
+
+/** One run that all tests look at. */
+class TraverseSim : public ::testing::Test
+{
+ protected:
+  static void SetUpTestSuite()
+  {
+    folder_ = std::make_unique<ScratchFolder>();
+    writeText(ini(), kIni);
+    finished_ = simulate(ini(), output(), {"--threads", "1"});
+  }
+
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  void SetUp() override { ASSERT_EQ(finished_.exit_code, 0) << finished_.err; }
+
+  static fs::path ini() { return *folder_ / "scene.ini"; }
+
+  static fs::path output() { return *folder_ / "out"; }
+
+  static std::unique_ptr<ScratchFolder> folder_;
+  static Finished finished_;
+};
+
+std::unique_ptr<ScratchFolder> TraverseSim::folder_;
+Finished TraverseSim::finished_;
+
+TEST_F(TraverseSim, LabelsEveryPointThatOurReaderMakesOfItsLog)
+{
+  observations::ObservationParams sensors;
+  sensors.min_range_m = 0;
+  sensors.max_range_m = 200;
+  const LogReading reading = readLog(output() / "log.rawlog", sensors);
+  ASSERT_EQ(reading.scans.size(), 119U);
+  size_t raindrops = 0;
+  for (size_t i = 0; i < reading.scans.size(); ++i)
+  {
+    const points::ScanBuffer& scan = reading.scans[i].scan;
+    const std::string name = std::to_string(1'000'000 + i).substr(1) + ".label";
+    const std::vector<uint32_t> labels = labelsIn(output() / "labels" / name);
+    ASSERT_EQ(labels.size(), scan.size()) << name;
+    raindrops += static_cast<size_t>(std::count(labels.begin(), labels.end(), 0U));
+  }
+  EXPECT_GT(raindrops, 1000U);
+}
+
+TEST_F(TraverseSim, HasALogThatStockProgramsRead)
+{
+  const std::string info = stockInfo(output() / "log.rawlog");
+  EXPECT_NE(info.find("Overall number of objects         : 961"), std::string::npos) << info;
+}
+
+TEST_F(TraverseSim, WritesItsTrajectoryAndWhatThingsAre)
+{
+  const auto poses = formats::readTrajectory(output() / "trajectory.tum");
+  EXPECT_EQ(poses.size(), 1201U);
+  EXPECT_EQ(readText(output() / "objects.csv").substr(0, 26), "number,name,label,material");
+  EXPECT_NE(readText(output() / "metrics.json").find("\"turns\": 119"), std::string::npos);
+}
+
+TEST_F(TraverseSim, GivesTheSameBytesWithTwoThreadsAndFromItsOwnIni)
+{
+  const fs::path again = *folder_ / "again";
+  const Finished second = simulate(output() / "scene.ini", again, {"--threads", "2", "--quiet"});
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_EQ(second.err, "");
+  EXPECT_TRUE(filesIn(again) == filesIn(output()));
+}
+
+TEST_F(TraverseSim, KilledGoesOnWhereItWas)
+{
+  const fs::path resumed = *folder_ / "resumed";
+  const fs::path first_part = *folder_ / "resumed.parts" / "000000.log.gz";
+  {
+    Process killed(simCommand(ini(), resumed));
+    for (int i = 0; i < 3000 && !fs::exists(first_part) && killed.running(); ++i)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    killed.signal(SIGKILL);
+    EXPECT_EQ(killed.wait(std::chrono::seconds(10)).exit_code, 128 + SIGKILL);
+  }
+  ASSERT_TRUE(fs::exists(first_part));
+  EXPECT_FALSE(fs::exists(resumed));
+  const auto written = fs::last_write_time(first_part);
+  const std::string bytes = readText(first_part);
+  const Finished finished = simulate(ini(), resumed);
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_TRUE(filesIn(resumed) == filesIn(output()));
+  EXPECT_EQ(readText(resumed / "log.rawlog").substr(0, bytes.size()), bytes);
+  EXPECT_FALSE(fs::exists(first_part));
+  EXPECT_LT(written, fs::last_write_time(resumed / "log.rawlog"));
+}
+
+TEST_F(TraverseSim, DoesNotMixPartsOfAnotherRun)
+{
+  const fs::path other = *folder_ / "other";
+  fs::create_directory(*folder_ / "other.parts");
+  writeText(*folder_ / "other.parts" / "made_of.txt", "another run");
+  writeText(*folder_ / "other.parts" / "000000.log.gz", "another log");
+  ASSERT_EQ(simulate(ini(), other).exit_code, 0);
+  EXPECT_TRUE(filesIn(other) == filesIn(output()));
+}
+
+TEST_F(TraverseSim, LeavesFoldersAloneThatAreNotItsOwn)
+{
+  const fs::path there = *folder_ / "there";
+  fs::create_directory(*folder_ / "there.parts");
+  writeText(*folder_ / "there.parts" / "letter.txt", "mine");
+  EXPECT_EQ(simulate(ini(), there).exit_code, 1);
+  EXPECT_EQ(readText(*folder_ / "there.parts" / "letter.txt"), "mine");
+  EXPECT_EQ(simulate(ini(), output()).exit_code, 1);  // --force replaces it
+}
+
+TEST_F(TraverseSim, RefusesIniFilesThatAreWrong)
+{
+  const auto refused = [&](const std::string& text, const std::string& why)
+  {
+    writeText(*folder_ / "bad.ini", text);
+    const Finished bad = simulate(*folder_ / "bad.ini", *folder_ / "bad");
+    EXPECT_EQ(bad.exit_code, 3) << bad.err;
+    EXPECT_NE(bad.err.find(why), std::string::npos) << bad.err;
+    EXPECT_FALSE(fs::exists(*folder_ / "bad"));
+  };
+  refused("[Lidar_00]\nmodle = VLP-16\n", "bad.ini:2");
+  refused("[Lidar_00]\nmodel = VLP-17\n", "HDL-32E | VLP-16 | VLP-32C");
+  refused("[Lidar_00]\nmode = dual\n", "strongest | last");
+  refused("[Lidar_01]\nmodel = VLP-16\n", "[Lidar_00]");
+  refused("[Lidar_00]\n[Lidar_01]\nlabel = LIDAR\n", "different names");
+  refused("[Drive]\nspeed_mps = -1\n", "speed_mps");
+  refused("[Drive]\nxs_m = 1 2\nys_m = 1\n", "xs_m");
+  refused("[Rain]\nheavy = true\n", "Rain");
+}
+
+TEST_F(TraverseSim, ChecksAConfigurationWithoutWritingAnything)
+{
+  const std::string program = std::string(TRAVERSE_BINARY_DIR) + "/bin/traverse-sim";
+  EXPECT_EQ(run({program, ini().string(), "--check-config"}).exit_code, 0);
+  EXPECT_EQ(
+      run({program, ini().string(), "--check-config", "--set", "Ins.rate_hz=-1"}).exit_code, 3);
+  EXPECT_EQ(run({program, ini().string()}).exit_code, 2);
+  const Finished defaults = run({program, "--print-defaults"});
+  EXPECT_EQ(defaults.exit_code, 0);
+  EXPECT_NE(defaults.out.find("[Lidar_00]"), std::string::npos);
+}
+}  // namespace
+}  // namespace traverse::testing
