@@ -202,7 +202,7 @@ TEST_F(TraverseSim, RefusesIniFilesThatAreWrong)
   refused("[Lidar_00]\nmodel = VLP-17\n", "HDL-32E | VLP-16 | VLP-32C");
   refused("[Lidar_00]\nmode = dual\n", "strongest | last");
   refused("[Lidar_01]\nmodel = VLP-16\n", "[Lidar_00]");
-  refused("[Lidar_00]\n[Lidar_01]\nlabel = LIDAR\n", "different names");
+  refused("[Lidar_00]\nlabel = A\n[Lidar_01]\nlabel = A\n", "different names");
   refused("[Drive]\nspeed_mps = -1\n", "speed_mps");
   refused("[Drive]\nxs_m = 1 2\nys_m = 1\n", "xs_m");
   refused("[Rain]\nheavy = true\n", "Rain");

@@ -5,6 +5,9 @@
 #include <traverse/config/ini_document.h>
 #include <traverse/simulating/recording_file.h>
 
+#include <fmt/format.h>
+#include <stdexcept>
+
 namespace traverse::app
 {
 namespace
@@ -17,6 +20,32 @@ class FlatTerrain : public simulation::Terrain
 
   bool isSharpIn(const simulation::Area& /*area*/) const override { return false; }
 };
+
+/** Another section would silently do nothing. */
+void checkSections(const config::IniDocument& ini)
+{
+  for (const config::Entry& entry : ini.entries())
+  {
+    if (!simulating::isOfRecording(entry.section))
+    {
+      throw config::ConfigError(
+          fmt::format("{}: unknown section [{}]", entry.place, entry.section), entry.section);
+    }
+  }
+}
+
+void checkDrive(const SimSettings& settings)
+{
+  try
+  {
+    simulation::driveOn(
+        *settings.scene.terrain, settings.recording.drive, settings.recording.vehicle);
+  }
+  catch (const std::invalid_argument& e)
+  {
+    throw config::ConfigError(fmt::format("[Drive], [Vehicle]: {}", e.what()), "Drive");
+  }
+}
 }  // namespace
 
 SimSettings readSettings(const SimCommand& command)
@@ -26,10 +55,12 @@ SimSettings readSettings(const SimCommand& command)
   {
     ini.set(assignment);
   }
+  checkSections(ini);
   SimSettings settings;
   settings.scene.terrain = std::make_shared<FlatTerrain>();
   settings.recording = simulating::readRecording(ini);
   settings.text = simulating::recordingText(settings.recording);
+  checkDrive(settings);
   return settings;
 }
 }  // namespace traverse::app

@@ -53,8 +53,8 @@ size_t countLidars(const config::IniDocument& ini)
     {
       throw ConfigError(
           fmt::format(
-              "{}: [{}]: {} lidars are [Lidar_00] to [{}]", firstEntry(ini, section).place, section,
-              found.size(), lidarSection(found.size() - 1)),
+              "{}: [{}]: lidars count from [Lidar_00] without a gap, each with one key at least",
+              firstEntry(ini, section).place, section),
           section);
     }
   }
