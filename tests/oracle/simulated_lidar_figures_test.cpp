@@ -102,6 +102,7 @@ Figures figuresOf(const std::vector<sensors::VelodynePacket>& views)
 Figures simulatedFigures(VelodyneModel model, double rate_hz)
 {
   simulation::Scene scene = planeScene();
+  scene.area = {-50, -50, 50, 50};
   scene.objects.push_back(boxObject({-50, 8, -1}, {50, 9, 10}));
   scene.objects.push_back(boxObject({-50, -9, -1}, {50, -8, 10}));
   simulation::LidarParams params;

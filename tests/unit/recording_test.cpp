@@ -34,6 +34,14 @@ RecordingParams shortDrive()
   return params;
 }
 
+/** A small plane: its mesh is made for each recording. */
+simulation::Scene field()
+{
+  simulation::Scene scene = planeScene();
+  scene.area = {-25, -25, 25, 25};
+  return scene;
+}
+
 poses::TimeNs arrivalOf(const Event& event)
 {
   return std::visit([](const auto& e) { return e.arrival; }, event);
@@ -91,7 +99,7 @@ TEST(Recording, HasEventsInOrderOfArrival)
   params.lidars.push_back(params.lidars.front());
   params.lidars.back().start_s = 0.03;
   params.lidars.back().late_s = 0.25;
-  Recording recording(planeScene(), params, 1);
+  Recording recording(field(), params, 1);
   poses::TimeNs last = 0;
   size_t events = 0;
   while (const auto event = recording.next())
@@ -106,9 +114,9 @@ TEST(Recording, HasEventsInOrderOfArrival)
 
 TEST(Recording, IsTheSameForTheSameSeedOnly)
 {
-  Recording one(planeScene(), shortDrive(), 1);
-  Recording again(planeScene(), shortDrive(), 1);
-  Recording other(planeScene(), shortDrive(), 2);
+  Recording one(field(), shortDrive(), 1);
+  Recording again(field(), shortDrive(), 1);
+  Recording other(field(), shortDrive(), 2);
   const std::vector<Digest> events = allOf(one);
   EXPECT_EQ(events, allOf(again));
   EXPECT_NE(events, allOf(other));
@@ -118,9 +126,9 @@ TEST(Recording, IsTheSameWhenTwoThreadsMakeIt)
 {
   RecordingParams params = shortDrive();
   params.lidars.front().rain_share = 0.1;
-  Recording in_order(planeScene(), params, 1);
+  Recording in_order(field(), params, 1);
   const std::vector<Digest> events = allOf(in_order);
-  Recording planned(planeScene(), params, 1);
+  Recording planned(field(), params, 1);
   std::vector<Recording::Planned> plans;
   while (const auto plan = planned.plan())
   {
@@ -147,10 +155,10 @@ TEST(Recording, GoesOnWhereItIsToldTo)
   params.lidars.front().repeat_every = 3;
   params.lidars.front().turn_loss = 0.3;
   params.ins.drop_out = 0.3;
-  Recording whole(planeScene(), params, 1);
+  Recording whole(field(), params, 1);
   const std::vector<Digest> events = allOf(whole);
   const poses::TimeNs middle = kRecordingStart + 500'000'000;
-  Recording second_half(planeScene(), params, 1);
+  Recording second_half(field(), params, 1);
   second_half.seek(middle);
   std::vector<Digest> expected;
   std::copy_if(
@@ -162,7 +170,7 @@ TEST(Recording, GoesOnWhereItIsToldTo)
 
 TEST(Recording, TellsTheExactTrajectory)
 {
-  Recording recording(planeScene(), shortDrive(), 1);
+  Recording recording(field(), shortDrive(), 1);
   const poses::PoseTrack track(recording.trajectory(100));
   for (double t_s = 0.0013; t_s < 0.99; t_s += 0.0371)
   {
@@ -184,7 +192,7 @@ TEST(Recording, FaultyLidarsDoWhatIsAskedForAndNoMore)
   {
     RecordingParams changed = params;
     change(changed.lidars.front());
-    Recording recording(planeScene(), changed, 1);
+    Recording recording(field(), changed, 1);
     return eventsOf<LidarTurn>(recording);
   };
   const auto sound = turns_with([](auto& /*lidar*/) {});
@@ -218,7 +226,7 @@ TEST(Recording, InsHasItsNoiseItsClockAndItsSilence)
   params.ins.clock_offset_s = 0.02;
   params.ins.drop_out = 0.1;
   params.ins.dead_after_s = 60;
-  Recording recording(planeScene(), params, 1);
+  Recording recording(field(), params, 1);
   const auto poses = eventsOf<InsPose>(recording);
   const double n = 60 * 50 * 0.9;
   EXPECT_NEAR(static_cast<double>(poses.size()), n, 5 * std::sqrt(n * 0.1));
@@ -245,7 +253,7 @@ TEST(Recording, OdometryDriftsAsItIsTold)
   params.odometry.yaw_drift_degpm = 0.1;
   params.odometry.noise_share = 0;
   params.odometry.noise_degpm = 0;
-  Recording recording(planeScene(), params, 1);
+  Recording recording(field(), params, 1);
   const auto poses = eventsOf<OdometryPose>(recording);
   ASSERT_GT(poses.size(), 100U);
   EXPECT_EQ(poses.front().x_m, 0);

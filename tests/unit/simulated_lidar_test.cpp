@@ -26,6 +26,7 @@ constexpr std::array<VelodyneModel, 3> kModels = {
 simulation::Scene yard()
 {
   simulation::Scene scene = planeScene(-0.3);
+  scene.area = {-30, -30, 30, 30};
   scene.objects.push_back(boxObject({8, -50, -1}, {9, 50, 20}));
   simulation::Object ball;
   ball.label = simulation::Label::structure;

@@ -48,6 +48,7 @@ simulation::Object movingCar()
 Scene street()
 {
   Scene scene = planeScene();
+  scene.area = {-50, -50, 50, 50};
   scene.objects.push_back(boxObject({-80, kWall_m, -1}, {80, kWall_m + 1, 10}));
   scene.objects.push_back(movingCar());
   return scene;
