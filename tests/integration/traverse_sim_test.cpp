@@ -24,8 +24,15 @@ namespace fs = std::filesystem;
 
 /** Seven seconds, so two parts, of a small lidar. */
 constexpr const char* kIni =
+    "[Scene]\n"
+    "min_x_m = -30\n"
+    "max_x_m = 30\n"
+    "[Object_00]\n"
+    "kind = box\n"
+    "x_m = 0\n"
+    "y_m = 9\n"
     "[Drive]\n"
-    "xs_m = -40 0 40\n"
+    "xs_m = -25 0 25\n"
     "ys_m = 0 5 0\n"
     "duration_s = 7\n"
     "[Lidar_00]\n"

@@ -58,8 +58,8 @@ simulation::RecordingParams bend(sensors::VelodyneModel model)
 {
   simulation::RecordingParams params;
   params.vehicle.base_height_m = 0.3;
-  params.drive.xs_m = {-10, 0, 10, 18};
-  params.drive.ys_m = {0, 0, 3, 10};
+  params.drive.xs_m = {-4, 0, 8, 14};
+  params.drive.ys_m = {0, 0, 3, 8};
   params.drive.speed_mps = 15;
   params.drive.accel_mps2 = 0;
   params.lidars = {perfectLidar(model)};
@@ -134,17 +134,16 @@ TEST_P(LidarInABend, PutsDeskewedPointsOnTheirSurfaces)
         turn.returns.begin(), turn.returns.end(),
         [](const simulation::ReturnTruth& truth) { return truth.object == kCar; }));
   }
-  EXPECT_GT(of_car, 500U);
+  EXPECT_GT(of_car, 300U);
 }
 
 TEST_P(LidarInABend, IsFarOffWithoutDeskewing)
 {
-  Recording recording(street(), bend(GetParam()), 1);
-  const auto turns = eventsOf<LidarTurn>(recording);
-  ASSERT_GE(turns.size(), 2U);
-  const auto scan = decoded(turns[1]).scan;
+  const Recording recording(street(), bend(GetParam()), 1);
+  const auto turn = std::get<LidarTurn>(recording.make({0, 0, 1}));
+  const auto scan = decoded(turn).scan;
   const auto pose = recording.drive().at(poses::secondsBetween(kRecordingStart, scan.stamp));
-  EXPECT_GT(worstOf(scan, turns[1], pose)[1], 0.3);
+  EXPECT_GT(worstOf(scan, turn, pose)[1], 0.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(

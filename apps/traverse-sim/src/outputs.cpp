@@ -8,7 +8,9 @@
 #include <traverse/formats/trajectory.h>
 
 #include <array>
+#include <cerrno>
 #include <fmt/format.h>
+#include <fstream>
 #include <set>
 
 namespace traverse::app
@@ -36,9 +38,15 @@ void writeLabels(const fs::path& folder, const std::vector<uint32_t>& labels, Ce
   {
     ++census.by_label.at(label & 0xFFFFU);
   }
-  formats::writeFile(
-      folder / name,
-      {reinterpret_cast<const char*>(labels.data()), labels.size() * sizeof(uint32_t)});
+  std::ofstream file(folder / name, std::ios::binary);  // the folder's commit brings it to the disk
+  file.write(
+      reinterpret_cast<const char*>(labels.data()),
+      static_cast<std::streamsize>(labels.size() * sizeof(uint32_t)));
+  file.close();
+  if (!file)
+  {
+    throw formats::FileError("write", folder / name, errno);
+  }
 }
 
 /** log.rawlog and labels/, from the parts. */

@@ -4,29 +4,49 @@
 
 #include <traverse/config/ini_document.h>
 #include <traverse/simulating/recording_file.h>
+#include <traverse/simulating/scene_file.h>
+#include <traverse/simulation/build.h>
 
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <filesystem>
 #include <fmt/format.h>
-#include <stdexcept>
 
 namespace traverse::app
 {
 namespace
 {
-/** TODO(sim-scenes): readScene(), generate(), buildScene(), sceneText(). */
-class FlatTerrain : public simulation::Terrain
+/** What `make` returns; what it refuses is a fault of the ini. */
+template <class F>
+auto asConfiguration(const F& make)
 {
- public:
-  simulation::GroundAt at(double /*x_m*/, double /*y_m*/) const override { return {}; }
+  try
+  {
+    return make();
+  }
+  catch (const std::exception& e)
+  {
+    throw config::ConfigError(e.what());
+  }
+}
 
-  bool isSharpIn(const simulation::Area& /*area*/) const override { return false; }
-};
+/** Those that readScene() reads or refuses. */
+bool isOfScene(std::string_view section)
+{
+  constexpr std::array<std::string_view, 4> kBegins = {"Scene", "Random", "Terrain", "Object"};
+  return std::any_of(
+      kBegins.begin(), kBegins.end(),
+      [&](std::string_view begin)
+      { return config::sameName(section.substr(0, begin.size()), begin); });
+}
 
 /** Another section would silently do nothing. */
 void checkSections(const config::IniDocument& ini)
 {
   for (const config::Entry& entry : ini.entries())
   {
-    if (!simulating::isOfRecording(entry.section))
+    if (!simulating::isOfRecording(entry.section) && !isOfScene(entry.section))
     {
       throw config::ConfigError(
           fmt::format("{}: unknown section [{}]", entry.place, entry.section), entry.section);
@@ -34,17 +54,42 @@ void checkSections(const config::IniDocument& ini)
   }
 }
 
+/** What there is, with what [Random] asks for; files by absolute names, so that its ini can be used
+ * from anywhere. */
+simulation::SceneParams sceneOf(const config::IniDocument& ini, uint64_t seed)
+{
+  const simulation::SceneParams fixed = simulating::readScene(ini);
+  simulation::SceneParams scene =
+      asConfiguration([&] { return simulation::generate(fixed, seed); });
+  for (simulation::TerrainParams& terrain : scene.terrains)
+  {
+    for (std::string* file : {&terrain.file, &terrain.transform_file})
+    {
+      *file = file->empty() ? "" : std::filesystem::absolute(scene.folder / *file).string();
+    }
+  }
+  return scene;
+}
+
+/** A number of an object has 16 bits in the labels. */
+void checkObjects(const simulation::Scene& scene)
+{
+  constexpr size_t kMost = 65536 - simulation::Scene::kFirstObject;
+  if (scene.objects.size() > kMost)
+  {
+    throw config::ConfigError(
+        fmt::format("{} objects: a scene may have {}", scene.objects.size(), kMost));
+  }
+}
+
 void checkDrive(const SimSettings& settings)
 {
-  try
-  {
-    simulation::driveOn(
-        *settings.scene.terrain, settings.recording.drive, settings.recording.vehicle);
-  }
-  catch (const std::invalid_argument& e)
-  {
-    throw config::ConfigError(fmt::format("[Drive], [Vehicle]: {}", e.what()), "Drive");
-  }
+  asConfiguration(
+      [&]
+      {
+        return simulation::driveOn(
+            *settings.scene.terrain, settings.recording.drive, settings.recording.vehicle);
+      });
 }
 }  // namespace
 
@@ -57,9 +102,18 @@ SimSettings readSettings(const SimCommand& command)
   }
   checkSections(ini);
   SimSettings settings;
-  settings.scene.terrain = std::make_shared<FlatTerrain>();
   settings.recording = simulating::readRecording(ini);
-  settings.text = simulating::recordingText(settings.recording);
+  simulation::SceneParams scene = sceneOf(ini, command.seed);
+  if (ini.find("Drive", "xs_m") == nullptr && !scene.drive_xs_m.empty())
+  {
+    settings.recording.drive.xs_m = scene.drive_xs_m;
+    settings.recording.drive.ys_m = scene.drive_ys_m;
+  }
+  settings.scene = asConfiguration([&] { return simulation::buildScene(scene); });
+  checkObjects(settings.scene);
+  scene.drive_xs_m.clear();  // the recording says them
+  scene.drive_ys_m.clear();
+  settings.text = simulating::sceneText(scene) + simulating::recordingText(settings.recording);
   checkDrive(settings);
   return settings;
 }

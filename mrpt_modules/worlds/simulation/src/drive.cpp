@@ -54,7 +54,8 @@ Motion driveOn(const Terrain& terrain, const DriveParams& params, const geometry
   const double end_s = params.duration_s > 0 ? params.duration_s : profile.endSeconds();
   if (!(end_s > 0))
   {
-    throw std::invalid_argument("the drive takes no time: a line of one point needs a duration_s");
+    throw std::invalid_argument(
+        "the drive takes no time: a line of one point needs [Drive] duration_s");
   }
   const std::vector<WheelPlane> planes = wheelPlanes(line, terrain, vehicle);
   const auto steps = static_cast<size_t>(std::ceil(end_s / kDriveStepSeconds - 1e-9));

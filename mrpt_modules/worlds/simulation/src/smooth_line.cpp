@@ -19,7 +19,8 @@ Points pointsOf(const std::vector<double>& xs_m, const std::vector<double>& ys_m
 {
   if (xs_m.empty() || xs_m.size() != ys_m.size())
   {
-    throw std::invalid_argument("xs_m and ys_m must hold as many numbers each, one at least");
+    throw std::invalid_argument(
+        "[Drive] xs_m and ys_m must hold as many numbers each, one at least");
   }
   Points points;
   points.reserve(xs_m.size());
@@ -44,7 +45,8 @@ std::vector<double> chordsOf(const Points& points)
     if (!(chords.back() > kFineMetres) || !(sum < kLongestMetres))
     {
       throw std::invalid_argument(
-          "the points of xs_m and ys_m must be 1 cm apart at least, and their line no longer than "
+          "the points of [Drive] xs_m and ys_m must be 1 cm apart at least, and their line no "
+          "longer than "
           "100 km");
     }
   }

@@ -22,7 +22,7 @@ struct Wheels
   {
     if (vehicle.footprint_xs_m.empty() || vehicle.footprint_ys_m.empty())
     {
-      throw std::invalid_argument("footprint_xs_m and footprint_ys_m must hold numbers");
+      throw std::invalid_argument("[Vehicle] footprint_xs_m and footprint_ys_m must hold numbers");
     }
     const auto xs =
         std::minmax_element(vehicle.footprint_xs_m.begin(), vehicle.footprint_xs_m.end());
@@ -34,7 +34,7 @@ struct Wheels
     left_m = *ys.second;
     if (!(front_m > rear_m) || !(left_m > right_m))
     {
-      throw std::invalid_argument("the vehicle's footprint must have a length and a width");
+      throw std::invalid_argument("[Vehicle]: the footprint must have a length and a width");
     }
   }
 };
