@@ -80,7 +80,7 @@ poses::TimeNs Lidar::clockErrorNs(uint64_t k) const
   return nsOf(params_.clock_offset_s) - (backward ? turn_ns_ * 3 / 2 : 0);
 }
 
-Eigen::Isometry3d Lidar::T_base_sensor() const
+Eigen::Isometry3d Lidar::place() const
 {
   return placeOf(params_);
 }
@@ -91,7 +91,7 @@ LidarTurn Lidar::turn(uint64_t k, const RayCaster& scene, const Motion& drive) c
   turn.number = k;
   turn.label = params_.label;
   turn.model = params_.model;
-  turn.T_base_sensor = T_base_sensor();
+  turn.T_base_sensor = place();
   turn.arrival = arrivalOf(k);
   const uint64_t first = firstPacket(k);
   const uint64_t end = firstPacket(k + 1);

@@ -37,11 +37,11 @@ PacketMaker::PacketMaker(
     T_base_sensor_(placeOf(params)),
     begin_ns_(begin_ns),
     last_pose_ns_(begin_ns),
-    last_pose_(T_map_sensor(begin_ns))
+    last_pose_(sensorPose(begin_ns))
 {
 }
 
-Eigen::Isometry3d PacketMaker::T_map_sensor(int64_t time_ns) const
+Eigen::Isometry3d PacketMaker::sensorPose(int64_t time_ns) const
 {
   return world_.drive.at(secondsOf(time_ns)) * T_base_sensor_;
 }
@@ -49,9 +49,9 @@ Eigen::Isometry3d PacketMaker::T_map_sensor(int64_t time_ns) const
 /** Sequences follow each other, so that one's end is the next one's beginning. */
 MovingPlacement PacketMaker::placementFrom(int64_t start_ns)
 {
-  const Eigen::Isometry3d from = last_pose_ns_ == start_ns ? last_pose_ : T_map_sensor(start_ns);
+  const Eigen::Isometry3d from = last_pose_ns_ == start_ns ? last_pose_ : sensorPose(start_ns);
   last_pose_ns_ = start_ns + timing_.sequence_ns;
-  last_pose_ = T_map_sensor(last_pose_ns_);
+  last_pose_ = sensorPose(last_pose_ns_);
   return {from, last_pose_};
 }
 
@@ -104,7 +104,7 @@ sensors::VelodynePacketContent PacketMaker::make(
     {
       fireSequence(
           block_ns + sequence * timing_.sequence_ns, random,
-          &block.records[static_cast<size_t>(sequence * timing_.lasers)], truth);
+          &block.records[static_cast<size_t>(sequence) * lasers_.size()], truth);
     }
   }
   return content;

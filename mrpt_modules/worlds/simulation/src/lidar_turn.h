@@ -36,7 +36,7 @@ class PacketMaker
       Random& random,
       sensors::VelodyneReturn* records,
       std::vector<ReturnTruth>& truth);
-  Eigen::Isometry3d T_map_sensor(int64_t time_ns) const;
+  Eigen::Isometry3d sensorPose(int64_t time_ns) const;
   MovingPlacement placementFrom(int64_t start_ns);
 
   const LidarParams& params_;

@@ -71,7 +71,8 @@ class Lidar
 
   const LidarParams& params() const { return params_; }
 
-  Eigen::Isometry3d T_base_sensor() const;
+  /** T_base_sensor. */
+  Eigen::Isometry3d place() const;
 
  private:
   /** Packets count from the sensor's first. */
