@@ -155,7 +155,9 @@ TEST_F(TraverseSim, KilledGoesOnWhereItWas)
   const fs::path resumed = *folder_ / "resumed";
   const fs::path first_part = *folder_ / "resumed.parts" / "000000.log.gz";
   {
-    Process killed(simCommand(ini(), resumed));
+    std::vector<std::string> command = simCommand(ini(), resumed);
+    command.insert(command.end(), {"--threads", "1"});
+    Process killed(command);
     for (int i = 0; i < 3000 && !fs::exists(first_part) && killed.running(); ++i)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
