@@ -10,6 +10,21 @@
 
 namespace traverse::simulation
 {
+namespace
+{
+/** doc/simulated-sensors.md says where the figures come from. */
+double halfRangeOf(const LidarParams& params)
+{
+  constexpr double kVlp32c = 600;
+  constexpr double kOthers = 370;
+  if (params.half_range_m >= 0)
+  {
+    return params.half_range_m;
+  }
+  return params.model == sensors::VelodyneModel::vlp32c ? kVlp32c : kOthers;
+}
+}  // namespace
+
 Receiver::Receiver(const LidarParams& params, const std::vector<double>& biases_m) :
     biases_m_(biases_m),
     max_range_m_(
@@ -17,7 +32,7 @@ Receiver::Receiver(const LidarParams& params, const std::vector<double>& biases_
                                : static_cast<double>(sensors::timingOf(params.model).max_range_m)),
     unit_m_(sensors::factoryCalibration(params.model).distance_unit_m),
     noise_m_(params.range_noise_m),
-    half_range_m_(params.half_range_m),
+    half_range_m_(halfRangeOf(params)),
     drop_out_(params.drop_out),
     rain_share_(params.rain_share),
     last_(params.mode == sensors::ReturnMode::last)

@@ -31,7 +31,7 @@ struct LidarParams
   double laser_bias_m = 0.006;
   double azimuth_jitter_deg = 0.0;
   double max_range_m = 0;
-  double half_range_m = 370;
+  double half_range_m = -1;
   double drop_out = 0;
   double rain_share = 0;
   double turn_loss = 0;
@@ -90,9 +90,9 @@ void visitLidarMeasuring(P& p, F&& f)
       Option{
           "half_range_m",
           "at this range half of the beams come back from a white surface met at a right angle; "
-          "less "
-          "from dark and slanting ones, m; 0: all come back from everywhere",
-          {0, 10000}},
+          "less from dark and slanting ones, m; -1: 600 for a VLP-32C, 370 for the others; 0: all "
+          "come back from everywhere",
+          {-1, 10000}},
       p.half_range_m);
 }
 
