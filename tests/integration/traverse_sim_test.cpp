@@ -88,25 +88,25 @@ class TraverseSim : public ::testing::Test
  protected:
   static void SetUpTestSuite()
   {
-    folder_ = std::make_unique<ScratchFolder>();
+    shared_folder = std::make_unique<ScratchFolder>();
     writeText(ini(), kIni);
-    finished_ = simulate(ini(), output(), {"--threads", "1"});
+    first_run = simulate(ini(), output(), {"--threads", "1"});
   }
 
-  static void TearDownTestSuite() { folder_.reset(); }
+  static void TearDownTestSuite() { shared_folder.reset(); }
 
-  void SetUp() override { ASSERT_EQ(finished_.exit_code, 0) << finished_.err; }
+  void SetUp() override { ASSERT_EQ(first_run.exit_code, 0) << first_run.err; }
 
-  static fs::path ini() { return *folder_ / "scene.ini"; }
+  static fs::path ini() { return *shared_folder / "scene.ini"; }
 
-  static fs::path output() { return *folder_ / "out"; }
+  static fs::path output() { return *shared_folder / "out"; }
 
-  static std::unique_ptr<ScratchFolder> folder_;
-  static Finished finished_;
+  static std::unique_ptr<ScratchFolder> shared_folder;
+  static Finished first_run;
 };
 
-std::unique_ptr<ScratchFolder> TraverseSim::folder_;
-Finished TraverseSim::finished_;
+std::unique_ptr<ScratchFolder> TraverseSim::shared_folder;
+Finished TraverseSim::first_run;
 
 TEST_F(TraverseSim, LabelsEveryPointThatOurReaderMakesOfItsLog)
 {
@@ -143,7 +143,7 @@ TEST_F(TraverseSim, WritesItsTrajectoryAndWhatThingsAre)
 
 TEST_F(TraverseSim, GivesTheSameBytesWithTwoThreadsAndFromItsOwnIni)
 {
-  const fs::path again = *folder_ / "again";
+  const fs::path again = *shared_folder / "again";
   const Finished second = simulate(output() / "scene.ini", again, {"--threads", "2", "--quiet"});
   ASSERT_EQ(second.exit_code, 0) << second.err;
   EXPECT_EQ(second.err, "");
@@ -152,8 +152,8 @@ TEST_F(TraverseSim, GivesTheSameBytesWithTwoThreadsAndFromItsOwnIni)
 
 TEST_F(TraverseSim, KilledGoesOnWhereItWas)
 {
-  const fs::path resumed = *folder_ / "resumed";
-  const fs::path first_part = *folder_ / "resumed.parts" / "000000.log.gz";
+  const fs::path resumed = *shared_folder / "resumed";
+  const fs::path first_part = *shared_folder / "resumed.parts" / "000000.log.gz";
   {
     std::vector<std::string> command = simCommand(ini(), resumed);
     command.insert(command.end(), {"--threads", "1"});
@@ -179,21 +179,21 @@ TEST_F(TraverseSim, KilledGoesOnWhereItWas)
 
 TEST_F(TraverseSim, DoesNotMixPartsOfAnotherRun)
 {
-  const fs::path other = *folder_ / "other";
-  fs::create_directory(*folder_ / "other.parts");
-  writeText(*folder_ / "other.parts" / "made_of.txt", "another run");
-  writeText(*folder_ / "other.parts" / "000000.log.gz", "another log");
+  const fs::path other = *shared_folder / "other";
+  fs::create_directory(*shared_folder / "other.parts");
+  writeText(*shared_folder / "other.parts" / "made_of.txt", "another run");
+  writeText(*shared_folder / "other.parts" / "000000.log.gz", "another log");
   ASSERT_EQ(simulate(ini(), other).exit_code, 0);
   EXPECT_TRUE(filesIn(other) == filesIn(output()));
 }
 
 TEST_F(TraverseSim, LeavesFoldersAloneThatAreNotItsOwn)
 {
-  const fs::path there = *folder_ / "there";
-  fs::create_directory(*folder_ / "there.parts");
-  writeText(*folder_ / "there.parts" / "letter.txt", "mine");
+  const fs::path there = *shared_folder / "there";
+  fs::create_directory(*shared_folder / "there.parts");
+  writeText(*shared_folder / "there.parts" / "letter.txt", "mine");
   EXPECT_EQ(simulate(ini(), there).exit_code, 1);
-  EXPECT_EQ(readText(*folder_ / "there.parts" / "letter.txt"), "mine");
+  EXPECT_EQ(readText(*shared_folder / "there.parts" / "letter.txt"), "mine");
   EXPECT_EQ(simulate(ini(), output()).exit_code, 1);  // --force replaces it
 }
 
@@ -201,11 +201,11 @@ TEST_F(TraverseSim, RefusesIniFilesThatAreWrong)
 {
   const auto refused = [&](const std::string& text, const std::string& why)
   {
-    writeText(*folder_ / "bad.ini", text);
-    const Finished bad = simulate(*folder_ / "bad.ini", *folder_ / "bad");
+    writeText(*shared_folder / "bad.ini", text);
+    const Finished bad = simulate(*shared_folder / "bad.ini", *shared_folder / "bad");
     EXPECT_EQ(bad.exit_code, 3) << bad.err;
     EXPECT_NE(bad.err.find(why), std::string::npos) << bad.err;
-    EXPECT_FALSE(fs::exists(*folder_ / "bad"));
+    EXPECT_FALSE(fs::exists(*shared_folder / "bad"));
   };
   refused("[Lidar_00]\nmodle = VLP-16\n", "bad.ini:2");
   refused("[Lidar_00]\nmodel = VLP-17\n", "HDL-32E | VLP-16 | VLP-32C");
