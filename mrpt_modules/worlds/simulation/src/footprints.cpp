@@ -21,14 +21,14 @@ double cross(const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Ve
 
 bool within(const Outline& inner, const Outline& outer)
 {
-  constexpr double kSlack_m2 = 1e-9;
+  constexpr double kSlack = 1e-9;  // m^2
   for (size_t i = 0; i < outer.size(); ++i)
   {
     const Eigen::Vector2d& from = outer[i];
     const Eigen::Vector2d& to = outer[(i + 1) % outer.size()];
     if (std::any_of(
             inner.begin(), inner.end(),
-            [&](const Eigen::Vector2d& p) { return cross(from, to, p) < -kSlack_m2; }))
+            [&](const Eigen::Vector2d& p) { return cross(from, to, p) < -kSlack; }))
     {
       return false;
     }
