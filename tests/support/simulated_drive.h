@@ -7,6 +7,8 @@
 #include <traverse/points/deskew.h>
 #include <traverse/points/velodyne_scan.h>
 #include <traverse/simulation/build.h>
+#include <traverse/simulation/footprints.h>
+#include <traverse/simulation/random.h>
 #include <traverse/simulation/recording.h>
 #include <traverse/simulation/truth.h>
 
@@ -26,6 +28,8 @@ class SimulatedDrive
   explicit SimulatedDrive(uint64_t seed)
   {
     simulation::SceneParams words;
+    words.extent.min_x_m = words.extent.min_y_m = -30;
+    words.extent.max_x_m = words.extent.max_y_m = 30;
     words.random.style = simulation::RandomStyle::paper_3;
     words = simulation::generate(words, seed);
     scene_ = simulation::buildScene(words);
@@ -33,36 +37,45 @@ class SimulatedDrive
     simulation::RecordingParams params;
     params.drive.xs_m = words.drive_xs_m;
     params.drive.ys_m = words.drive_ys_m;
-    params.drive.speed_mps = random.uniform(4, 10);
+    params.drive.speed_mps = random.uniform(3, 8);
     params.lidars.front().z_m = random.uniform(1.6, 2.2);
     start_ = {words.drive_xs_m.front(), words.drive_ys_m.front()};
     recording_ = std::make_unique<simulation::Recording>(scene_, params, seed);
     vehicle_ = params.vehicle;
+    record();
   }
 
-  /** Calls f(scan, T_map_base) for every turn, deskewed with exact poses. */
-  template <class F>
-  void forEachScan(F&& f) const
+  /** Whose poses the scans are placed and deskewed with. */
+  enum class Poses : uint8_t
   {
-    const poses::PoseTrack track(recording_->trajectory(100));
-    while (const auto event = recording_->next())
+    exact,
+    ins,  //!< with its default noise
+  };
+
+  /** Calls f(scan, T_map_base) for every turn. */
+  template <class F>
+  void forEachScan(Poses poses, F&& f) const
+  {
+    const poses::PoseTrack track(poses == Poses::exact ? recording_->trajectory(100) : ins_poses_);
+    for (const simulation::LidarTurn& turn : turns_)
     {
-      if (const auto* turn = std::get_if<simulation::LidarTurn>(&*event))
+      const auto pose = track.at(turn.stamp);
+      points::Decoded decoded = decode(turn);
+      if (pose && points::deskew(decoded.scan, track) != points::Deskew::no_poses)
       {
-        const auto pose = track.at(turn->stamp);
-        points::Decoded decoded = decode(*turn);
-        if (pose && points::deskew(decoded.scan, track) != points::Deskew::no_poses)
-        {
-          f(decoded.scan.view(), pose->T_map_base);
-        }
+        f(decoded.scan.view(), pose->T_map_base);
       }
     }
   }
 
-  /** Of every cell at the end of the drive. */
+  /** Of every cell at the end of the drive; cells where things moved are marked as swept. */
   layers::LayerSet truth() const
   {
-    return simulation::cellTruth(scene_, vehicle_, {}, recording_->durationSeconds(), start_);
+    const double end_s = recording_->durationSeconds();
+    layers::LayerSet truth = simulation::cellTruth(scene_, vehicle_, {}, end_s, start_);
+    layers::LayerSet swept = simulation::sweptCells(scene_, {}, 0, end_s);
+    truth.layers.push_back(std::move(swept.layers.front()));
+    return truth;
   }
 
   const simulation::Scene& scene() const { return scene_; }
@@ -70,6 +83,21 @@ class SimulatedDrive
   const geometry::Vehicle& vehicle() const { return vehicle_; }
 
  private:
+  void record()
+  {
+    while (auto event = recording_->next())
+    {
+      if (auto* turn = std::get_if<simulation::LidarTurn>(&*event))
+      {
+        turns_.push_back(std::move(*turn));
+      }
+      else if (const auto* pose = std::get_if<simulation::InsPose>(&*event))
+      {
+        ins_poses_.push_back({pose->stamp, pose->T_map_base});
+      }
+    }
+  }
+
   static points::Decoded decode(const simulation::LidarTurn& turn)
   {
     const std::vector<sensors::VelodynePacket> views(turn.packets.begin(), turn.packets.end());
@@ -85,6 +113,8 @@ class SimulatedDrive
   geometry::Vehicle vehicle_;
   Eigen::Vector2d start_ = Eigen::Vector2d::Zero();
   std::unique_ptr<simulation::Recording> recording_;
+  std::vector<simulation::LidarTurn> turns_;
+  std::vector<poses::StampedPose> ins_poses_;
 };
 
 /** How many returns of a drive fell on each cell's ground and on what stands there, not on what the

@@ -11,23 +11,6 @@ namespace traverse::ground
 {
 namespace
 {
-/** Of a surface's heights within a patch, m: rings and grass, not steps. */
-constexpr float kSurfaceSpan_m = 0.10F;
-
-/** A column within this span is one surface with noise; of others the foot is taken. */
-constexpr float kOneSurface_m = 0.12F;
-
-/** A surface of fewer points needs the lack of a better one. */
-constexpr uint32_t kSupport = 3;
-constexpr uint32_t kMostWeight = 4;
-
-/** A kerb's upper side fills most of its patch. */
-constexpr float kWide = 0.7F;
-constexpr float kKerbFlat_m = 0.06F;
-
-/** A surface may lie so much below what a rise may above: noise. */
-constexpr float kBelow_m = 0.05F;
-
 /** Where nothing is measured a slope fades by this from patch to patch. */
 constexpr float kFade = 0.8F;
 
@@ -154,7 +137,7 @@ void Spread::settleColumns(int32_t i, const Prediction& predicted)
     return;
   }
   grid_.at(i).measured = 1;
-  put(i, fitSlope(i, lowestSurface(), predicted), 0);
+  put(i, fitSlope(i, lowestSurface(predicted), predicted), 0);
 }
 
 void Spread::from(std::span<const Seed> seeds)
@@ -185,77 +168,6 @@ void Spread::from(std::span<const Seed> seeds)
       pushAround(patch);
     }
   }
-}
-
-void Spread::findCandidates(const Patch& patch, const Prediction& predicted)
-{
-  const float over_gap = std::max(0.0F, predicted.gap_m - grid_.side_m());
-  const float up = std::min(
-      static_cast<float>(params_.step_m) + static_cast<float>(params_.slope_change) * over_gap,
-      static_cast<float>(params_.most_jump_m));
-  const float kerb = std::max(up, static_cast<float>(params_.kerb_m));
-  const float rough = std::min(up, static_cast<float>(params_.step_m));
-  const float slope_x = beyondNoise(predicted.slopeX());
-  const float slope_y = beyondNoise(predicted.slopeY());
-  const std::span<const PlacedColumn> columns = grid_.columnsOf(patch);
-  candidates_.resize(columns.size());
-  size_t high = 0;
-  size_t found = 0;
-  for (const PlacedColumn& c : columns)  // without a branch: who is none is written over
-  {
-    const float slope = slope_x * grid_.along(c.x).offset_m + slope_y * grid_.along(c.y).offset_m;
-    const float rise = c.low_m - slope - predicted.z_m();
-    const float span = c.span_m();
-    const float most = span < kKerbFlat_m ? kerb : span < kOneSurface_m ? up : rough;
-    const bool is_candidate = (rise >= -up - kBelow_m) & (rise <= most);
-    candidates_[found] = {(span < kOneSurface_m ? c.mean_m : c.low_m + kFoot_m) - slope, c.n};
-    high += static_cast<size_t>(is_candidate & (rise > up));
-    found += static_cast<size_t>(is_candidate);
-  }
-  candidates_.resize(found);
-  if (high > 0 && static_cast<float>(high) < kWide * static_cast<float>(columns.size()))
-  {
-    std::erase_if(candidates_, [&](const Candidate& c) { return c.z_m - predicted.z_m() > up; });
-  }
-}
-
-float Spread::lowestSurface()
-{
-  std::sort(
-      candidates_.begin(), candidates_.end(),
-      [](const Candidate& a, const Candidate& b)
-      { return a.z_m < b.z_m || (a.z_m == b.z_m && a.n < b.n); });
-  const auto surface = [&](size_t first, auto&& use)
-  {
-    for (size_t k = first;
-         k < candidates_.size() && candidates_[k].z_m < candidates_[first].z_m + kSurfaceSpan_m;
-         ++k)
-    {
-      use(candidates_[k]);
-    }
-  };
-  size_t first = 0;
-  for (size_t k = 0; k < candidates_.size(); ++k)
-  {
-    uint32_t n = 0;
-    surface(k, [&](const Candidate& c) { n += std::min(c.n, kSupport); });
-    if (n >= kSupport)
-    {
-      first = k;
-      break;
-    }
-  }
-  float sum = 0;
-  float weights = 0;
-  surface(
-      first,
-      [&](const Candidate& c)
-      {
-        const auto w = static_cast<float>(std::min(c.n, kMostWeight));
-        sum += w * c.z_m;
-        weights += w;
-      });
-  return sum / weights;
 }
 
 /** The plane with height z_m whose slopes fit the measured patches around and the prediction. */

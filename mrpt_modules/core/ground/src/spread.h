@@ -64,7 +64,8 @@ class Spread
   void settleColumns(int32_t i, const Prediction& predicted);
   void put(int32_t i, Quad plane, float gap_m);
   void findCandidates(const Patch& patch, const Prediction& predicted);
-  float lowestSurface();
+  size_t overTrench(size_t lowest, const Prediction& predicted) const;
+  float lowestSurface(const Prediction& predicted);
   Quad fitSlope(int32_t i, float z_m, const Prediction& predicted) const;
 
   PatchGrid& grid_;

@@ -76,8 +76,15 @@ class Corners
   {
   }
 
-  /** From the planes of the four patches around, by distance; NaN where none is settled. */
-  float groundAt(const PlacedColumn& column) const
+  struct Ground
+  {
+    float z_m = std::numeric_limits<float>::quiet_NaN();
+    GroundPlane nearest;
+  };
+
+  /** From the planes of the four patches around, by distance; NaN where none is settled. And the
+   * plane among them that is nearest to the column's mean: beside a kerb that of its own side. */
+  Ground groundAt(const PlacedColumn& column) const
   {
     const PatchGrid::Along& x = grid_.along(column.x);
     const PatchGrid::Along& y = grid_.along(column.y);
@@ -88,13 +95,38 @@ class Corners
     const Quad share_x = {1 - x.part, x.part, 1 - x.part, x.part};
     const Quad share_y = {1 - y.part, 1 - y.part, y.part, y.part};
     const Quad w = share_x * share_y * c.weight + c.least;
-    const Quad z = w * (c.z_m + side_m_ * (c.slope_x * right + c.slope_y * up));
+    const Quad planes = c.z_m + side_m_ * (c.slope_x * right + c.slope_y * up);
+    const Quad z = w * planes;
     const float weights = w[0] + w[1] + w[2] + w[3];
-    return weights > 0 ? (z[0] + z[1] + z[2] + z[3]) / weights
-                       : std::numeric_limits<float>::quiet_NaN();
+    Ground ground;
+    if (weights > 0)
+    {
+      ground.z_m = (z[0] + z[1] + z[2] + z[3]) / weights;
+      ground.nearest = nearestTo(column.mean_m, c, planes);
+    }
+    return ground;
   }
 
  private:
+  GroundPlane nearestTo(float mean_m, const Corner& c, const Quad& planes) const
+  {
+    constexpr float kUnmeasured_m = 1e6F;
+    GroundPlane nearest;
+    float least_m = 2 * kUnmeasured_m;
+    for (int k = 0; k < 4; ++k)
+    {
+      const bool is_measured = c.weight[k] == 1;
+      const float off_m = std::abs(planes[k] - mean_m) + (is_measured ? 0 : kUnmeasured_m);
+      if (c.weight[k] > 0 && off_m < least_m)
+      {
+        least_m = off_m;
+        const float slopes = std::abs(c.slope_x[k]) + std::abs(c.slope_y[k]);
+        nearest = {planes[k], slopes * grid_.cell_m() / 2, is_measured};
+      }
+    }
+    return nearest;
+  }
+
   const PatchGrid& grid_;
   float side_m_;
   std::array<Corner, 4> corners_;
@@ -161,6 +193,7 @@ void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Ve
   verdicts.resize(columns.size());
   flat_mean_m_.resize(columns.size());
   rough_.clear();
+  relief_.reset(columns.size());
   for (const PatchGrid::Block& block : grid.blocks())
   {
     const Corners corners(grid, block.patch);
@@ -169,7 +202,8 @@ void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Ve
     for (uint32_t i = block.first; i < block.first + block.size; ++i)
     {
       const PlacedColumn& c = columns[i];
-      const float ground = corners.groundAt(c);
+      const Corners::Ground at = corners.groundAt(c);
+      const float ground = at.z_m;
       const float over = c.mean_m - ground;
       // & and not &&, because it must not branch.
       bool is_flat = (c.span_m() <= most_span) & (over < over_patch) & (over > -kBelow_m);
@@ -181,7 +215,8 @@ void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Ve
       const float limit = c.mean_m + kOverMean_m + tilt;
       const bool bears = is_flat & may_bear & (limit >= c.low_m);
       flat_mean_m_[i] = orNone(is_flat, c.mean_m);
-      verdicts[c.number] = {ground, orNone(bears, limit)};
+      relief_.measure(grid, block.patch, i, at.nearest, most_span);
+      verdicts[c.number] = {ground, orNone(bears, limit), 0, at.nearest.is_measured, false};
       if (may_bear && !is_flat)
       {
         rough_.push_back({block.patch, i});
@@ -195,5 +230,6 @@ void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Ve
     const float limit = limitOfRough(grid, params, rough.patch, c, verdict.ground_m, flat_mean_m_);
     verdict.limit_m = orNone(limit >= c.low_m, limit);
   }
+  relief_.finish(grid, verdicts);
 }
 }  // namespace traverse::ground

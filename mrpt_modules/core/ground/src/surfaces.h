@@ -3,6 +3,7 @@
 #pragma once
 
 #include "patch_grid.h"
+#include "relief.h"
 
 #include <traverse/ground/params.h>
 
@@ -28,5 +29,6 @@ class Surfaces
 
   std::vector<float> flat_mean_m_;  //!< by column of the grid; Verdict::kNone where not flat
   std::vector<Rough> rough_;
+  Relief relief_;
 };
 }  // namespace traverse::ground

@@ -84,6 +84,8 @@ void fitPlane(const Sums& s, double base_mm, double thin_mm, Features& f)
   }
   if (f.has_plane)
   {
+    const double squares = s.n * s.zz - s.z * s.z - f.slope_x * cxz - f.slope_y * cyz;
+    f.residual_m2 = std::max(0.0, squares) / (s.n * s.n) / (kMmPerM * kMmPerM);
     f.at_corner_m = (base_mm + (s.z - f.slope_x * s.x - f.slope_y * s.y) / s.n) / kMmPerM;
   }
 }
@@ -126,6 +128,11 @@ double Features::slope_deg() const
                    : std::numeric_limits<double>::quiet_NaN();
 }
 
+double noiseSpan_m(const Features& features)
+{
+  return noiseSpan(features.n) * std::sqrt(features.noise_m2);
+}
+
 Features featuresOf(
     const layers::HeightSlabs& slabs, const layers::HeightSlab* lowest, const SlabReading& reading)
 {
@@ -165,6 +172,7 @@ Features featuresOf(
   f.deviation_m = std::max(up, down) / n / kMmPerM;                        // (2)
   f.variance_m2 = std::max(0.0, squares) / (n * n) / (kMmPerM * kMmPerM);  // (5)
   f.noise_m2 = sums.noise / n / kNoisePerM2;
+  f.residual_m2 = f.variance_m2;
   fitPlane(sums, base, reading.thin_mm, f);  // (3)
   return f;
 }
@@ -202,9 +210,8 @@ Class Classifier::operator()(const Features& f) const
   }
   if (kind_ == ClassifierKind::standard)
   {
-    const double noise = std::sqrt(f.noise_m2);
     return worstOf(
-        f.deviation_m - noiseSpan(f.n) * noise, f.variance_m2 - f.noise_m2,
+        f.deviation_m - noiseSpan_m(f), f.variance_m2 - f.noise_m2,
         f.has_plane ? f.tan2Slope() : 0);
   }
   if (f.has_plane)

@@ -11,6 +11,9 @@ namespace
 {
 constexpr double kMmPerM = geometry::kMillimetresPerMetre;
 
+/** Points scatter as noise does up to this many times its variance. */
+constexpr double kNoiseOnly = 1.2;
+
 /** A level beam meets what stands upright, and sees nothing of its height: it is taken to be so
  * high.
  */
@@ -99,8 +102,12 @@ ground::Column Judge::columnOf(geometry::CellIndex cell, const Features& f) cons
   const auto above = [&](double height_m) { return static_cast<float>(height_m - reference_m); };
   constexpr uint64_t kMost = std::numeric_limits<uint32_t>::max();
   return {
-      cell, static_cast<uint32_t>(std::min(f.n, kMost)), above(f.min_m), above(f.mean_m),
-      above(2 * f.level_n > f.n ? std::max(f.max_m, f.min_m + kUpright_m) : f.max_m)};
+      cell,
+      static_cast<uint32_t>(std::min(f.n, kMost)),
+      above(f.min_m),
+      above(f.mean_m),
+      above(2 * f.level_n > f.n ? std::max(f.max_m, f.min_m + kUpright_m) : f.max_m),
+      static_cast<float>(f.residual_m2 <= kNoiseOnly * f.noise_m2 ? noiseSpan_m(f) : 0)};
 }
 
 void Judge::finish(const Reread& reread)
@@ -132,16 +139,31 @@ ground::Verdict Judge::secondLook(size_t i, const ground::Verdict& first, const 
   const ground::Column column = columnOf(columns_[i].cell, f);
   if (!(column.low_m > columns_[i].low_m))
   {
-    return {};  // a ditch, or ground that the estimate does not know: it says nothing of the cell
+    // Nothing above: a hole in ground that was measured, else ground that the estimate does not
+    // know, which says nothing of the cell.
+    Class& of = judgements_[i].of;
+    of = first.is_measured && of != Class::undefined ? Class::obstacle : of;
+    return {};
   }
   columns_[i] = column;
   judgements_[i] = byItself(f);
-  ground::Verdict verdict{first.ground_m, ground::Verdict::kNone};
+  ground::Verdict verdict;
+  verdict.ground_m = first.ground_m;
   if (column.low_m - first.ground_m <= static_cast<float>(ground_params_.over_patch_m))
   {
     verdict.limit_m = first.ground_m + static_cast<float>(ground_params_.over_surface_m);
   }
   return verdict;
+}
+
+Class Judge::withRelief(Class of, const ground::Verdict& verdict) const
+{
+  if (of == Class::undefined)
+  {
+    return of;
+  }
+  const Class all = worse(of, classify_->ofStep(verdict.relief_m));
+  return verdict.is_low_growth ? std::min(all, Class::large_roughness) : all;
 }
 
 void Judge::againstGround(
@@ -152,6 +174,7 @@ void Judge::againstGround(
   if (verdict.bearsGround())
   {
     judgement.ground_limit_mm = static_cast<float>(reference_mm + verdict.limit_m * kMmPerM);
+    judgement.of = withRelief(judgement.of, verdict);
     return;
   }
   const double rise_m = column.low_m - verdict.ground_m;

@@ -18,6 +18,7 @@ struct Column
   float low_m = 0;
   float mean_m = 0;
   float top_m = 0;
+  float noise_m = 0;  //!< noise alone takes points so far off a surface; 0: they scatter by more
 };
 
 /** A place where the vehicle stands or stood: the ground there is known without any point. */
@@ -41,6 +42,16 @@ struct Verdict
 
   /** The cell's points up to this height are ground; kNone where none is. */
   float limit_m = kNone;
+
+  /** How far the cell's surface stands off the smooth ground, up or down: of a clod its height, of
+   * a rut its depth. 0 where nothing measured the ground there. */
+  float relief_m = 0;
+
+  /** Ground was measured within two metres, not only foretold. */
+  bool is_measured = false;
+
+  /** Few points above many on the ground, amid cells that are alike: grass, and no fence. */
+  bool is_low_growth = false;
 
   bool isKnown() const { return ground_m == ground_m; }
 

@@ -33,6 +33,7 @@ struct Features
   double slope_y = 0;      //!< B
   double at_corner_m = 0;  //!< C
   double noise_m2 = 0;     //!< part of the variance that the sensor's noise makes
+  double residual_m2 = 0;  //!< variance of the heights off the mean plane; the variance without one
   uint64_t level_n = 0;    //!< points met at their sensor's own height
   poses::TimeNs last_seen = 0;
 
@@ -42,6 +43,9 @@ struct Features
   /** gamma in degrees; NaN without a plane. */
   double slope_deg() const;
 };
+
+/** How far the sensor's noise by itself takes the farthest of the cell's points off a surface, m. */
+double noiseSpan_m(const Features& features);
 
 /** How a cell's slabs are read. */
 struct SlabReading

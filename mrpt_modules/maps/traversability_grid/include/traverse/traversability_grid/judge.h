@@ -55,6 +55,7 @@ class Judge
   ground::Column columnOf(geometry::CellIndex cell, const Features& f) const;
   Judgement byItself(const Features& f) const;
   ground::Verdict secondLook(size_t i, const ground::Verdict& first, const Reread& reread);
+  Class withRelief(Class of, const ground::Verdict& verdict) const;
   void againstGround(
       const ground::Column& column, const ground::Verdict& verdict, Judgement& judgement) const;
 
