@@ -11,7 +11,7 @@
 #include <traverse/config/ini_document.h>
 #include <traverse/formats/safe_file.h>
 #include <traverse/sim_app/app.h>
-#include <traverse/simulating/recording_file.h>
+#include <traverse/simulating/defaults.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -124,7 +124,7 @@ ExitCode runCommand(const SimCommand& command)
 {
   if (command.print_defaults)
   {
-    std::cout << simulating::recordingText({});
+    std::cout << simulating::defaultsText();
     return ExitCode::done;
   }
   const SimSettings settings = readSettings(command);

@@ -38,7 +38,7 @@ void declare(CLI::App& cli, SimCommand& command)
   cli.add_flag("--check-config", command.check_config, "check the scene, do nothing else");
   cli.add_flag(
       "--print-defaults", command.print_defaults,
-      "print the sections of drive and sensors with every key at its default");
+      "print every section of a scene file with every key at its default");
   cli.add_flag("--force", command.force, "replace an output folder that is there");
   cli.add_flag("--quiet", command.quiet, "no progress on stderr");
   cli.set_version_flag("--version", "traverse-sim " TRAVERSE_VERSION);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
 
+#include "truth_outputs.h"
+
 #include <traverse/common_app/json_text.h>
 #include <traverse/formats/safe_file.h>
 #include <traverse/formats/streamed_file.h>
@@ -160,7 +162,7 @@ std::string writeOutputs(
   folder.write("scene.ini", settings.text);
   folder.write("objects.csv", objectsCsv(settings.scene));
   folder.write("trajectory.tum", formats::tumTrajectory(recording.trajectory(kTrajectoryHz)));
-  // What else is true of the scene (rasters, footprints) belongs here, before metrics.json.
+  writeTruth(folder, settings, recording);
   folder.write(
       std::string(formats::OutputFolder::kLastFile), metricsJson(run, settings.scene, census));
   folder.commit();

@@ -6,6 +6,7 @@
 #include <traverse/simulating/recording_file.h>
 #include <traverse/simulating/scene_file.h>
 #include <traverse/simulation/build.h>
+#include <traverse/simulation/truth.h>
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,8 @@ void checkSections(const config::IniDocument& ini)
 {
   for (const config::Entry& entry : ini.entries())
   {
-    if (!simulating::isOfRecording(entry.section) && !isOfScene(entry.section))
+    if (!simulating::isOfRecording(entry.section) && !isOfScene(entry.section) &&
+        !config::sameName(entry.section, "Truth"))
     {
       throw config::ConfigError(
           fmt::format("{}: unknown section [{}]", entry.place, entry.section), entry.section);
@@ -82,13 +84,34 @@ void checkObjects(const simulation::Scene& scene)
   }
 }
 
-void checkDrive(const SimSettings& settings)
+simulation::Motion checkedDrive(const SimSettings& settings)
 {
-  asConfiguration(
+  return asConfiguration(
       [&]
       {
         return simulation::driveOn(
             *settings.scene.terrain, settings.recording.drive, settings.recording.vehicle);
+      });
+}
+
+/** What writing the truth would refuse in the end. */
+void checkTruth(const SimSettings& settings, const simulation::Motion& drive)
+{
+  const std::vector<double>& at_s = settings.truth.at_s;
+  const double end_s = drive.poses().back().t_s;
+  if (!at_s.empty() && at_s.back() > end_s)
+  {
+    throw config::ConfigError(
+        fmt::format(
+            "[Truth] at_s = '{}': allowed: up to the end of the recording, {} s",
+            options::format(at_s), end_s),
+        "Truth", "at_s");
+  }
+  asConfiguration(
+      [&]
+      {
+        simulation::checkTruth(
+            settings.scene, settings.truth.cells, drive.at(0).translation().head<2>());
       });
 }
 }  // namespace
@@ -103,6 +126,7 @@ SimSettings readSettings(const SimCommand& command)
   checkSections(ini);
   SimSettings settings;
   settings.recording = simulating::readRecording(ini);
+  settings.truth = simulating::readTruthSection(ini);
   simulation::SceneParams scene = sceneOf(ini, command.seed);
   if (ini.find("Drive", "xs_m") == nullptr && !scene.drive_xs_m.empty())
   {
@@ -113,8 +137,9 @@ SimSettings readSettings(const SimCommand& command)
   checkObjects(settings.scene);
   scene.drive_xs_m.clear();  // the recording says them
   scene.drive_ys_m.clear();
-  settings.text = simulating::sceneText(scene) + simulating::recordingText(settings.recording);
-  checkDrive(settings);
+  settings.text = simulating::sceneText(scene) + simulating::recordingText(settings.recording) +
+                  simulating::truthText(settings.truth);
+  checkTruth(settings, checkedDrive(settings));
   return settings;
 }
 }  // namespace traverse::app

@@ -4,6 +4,7 @@
 
 #include "command_line.h"
 
+#include <traverse/simulating/truth_section.h>
 #include <traverse/simulation/recording.h>
 
 #include <string>
@@ -15,6 +16,7 @@ struct SimSettings
 {
   simulation::Scene scene;
   simulation::RecordingParams recording;
+  simulating::TruthSection truth;
   std::string text;  //!< of all, every key written out: an ini that makes the same again
 };
 

@@ -39,6 +39,13 @@ Pieces piecesOf(const Scene& scene, const SubGrid& grid, double at_s)
 }
 }  // namespace
 
+void checkTruth(const Scene& scene, const TruthParams& params, const Eigen::Vector2d& start)
+{
+  const int32_t cell_mm = checkedCell_mm(params);
+  checkScene(scene, start);
+  subGridOf(scene.area, cell_mm);
+}
+
 layers::LayerSet cellTruth(
     const Scene& scene,
     const geometry::Vehicle& vehicle,

@@ -76,6 +76,9 @@ enum class TrueState : uint8_t
 /** Largest extent that can be judged. */
 inline constexpr int64_t kMostTruthCells = 4'000'000;
 
+/** Throws what cellTruth() would, but for triangles: to be known before anything is simulated. */
+void checkTruth(const Scene& scene, const TruthParams& params, const Eigen::Vector2d& start);
+
 /** Judges every whole cell of the scene's area, with things where they are at at_s, seconds after
  * the scene's beginning; `start` is a place that the vehicle comes from, m (doc/simulation.md says
  * how a cell is judged). The same bits on every machine.

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/simulating/defaults.h>
+#include <traverse/simulating/recording_file.h>
+#include <traverse/simulating/truth_section.h>
+#include <traverse/simulation/scene_params.h>
+
+#include <fmt/format.h>
+
+namespace traverse::simulating
+{
+namespace
+{
+template <class P>
+std::string section(const std::string& meaning, const std::string& name, const P& params)
+{
+  std::string text = fmt::format("\n// {}\n[{}]\n", meaning, name);
+  for (const options::Row& row : options::rows(params))
+  {
+    text += fmt::format("// {} ({})\n{} = {}\n", row.meaning, row.allowed, row.key, row.value);
+  }
+  return text;
+}
+}  // namespace
+
+std::string defaultsText()
+{
+  const simulation::RecordingParams recording;
+  return "// Every section and key of a scene file with its default. doc/simulation.md says "
+         "more.\n" +
+         section("What there is: the ground's extent.", "Scene", simulation::SceneExtentParams()) +
+         section(
+             "A piece of ground; more as [Terrain_01] ...",
+             simulation::numberedSection("Terrain_", 0), simulation::TerrainParams()) +
+         section(
+             "A thing on it; more as [Object_01] ...", simulation::numberedSection("Object_", 0),
+             simulation::ObjectParams()) +
+         section("What the seed adds.", "Random", simulation::RandomSceneParams()) +
+         section("What drives.", "Vehicle", recording.vehicle) +
+         section("Where it drives.", "Drive", recording.drive) +
+         section("A lidar; more as [Lidar_01] ...", lidarSection(0), recording.lidars.front()) +
+         section("Poses.", "Ins", recording.ins) +
+         section("Poses that drift.", "Odometry", recording.odometry) +
+         section("The truth about places.", "Truth", TruthSection());
+}
+}  // namespace traverse::simulating
