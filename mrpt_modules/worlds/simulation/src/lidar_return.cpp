@@ -12,7 +12,7 @@ namespace traverse::simulation
 {
 namespace
 {
-/** doc/simulated-sensors.md says where the figures come from. */
+/** doc/simulation.md says where the figures come from. */
 double halfRangeOf(const LidarParams& params)
 {
   constexpr double kVlp32c = 600;
