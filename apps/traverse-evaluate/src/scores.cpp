@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scores.h"
 
+#include "ghost_scores.h"
+
 #include <traverse/common_app/map_files.h>
 #include <traverse/evaluation/cells.h>
 #include <traverse/evaluation/verdicts.h>
+#include <traverse/formats/bytes.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -66,6 +69,10 @@ void compare(
   scores.outlines =
       evaluation::outlineScores(map, withReturns(truth.outlines, scores.obstacles.seen));
   scores.verdicts = evaluation::verdicts(map, truth.layers, params);
+  if (scores.confusion.total() == 0)
+  {
+    scores.not_compared = "it has no points in any cell of this truth";
+  }
 }
 
 MapScores scoresOfMap(
@@ -91,6 +98,27 @@ MapScores scoresOfMap(
   return scores;
 }
 
+/** The same cells of another world would be compared without a word. */
+void checkSameWorld(const evaluation::PosePairs& pairs)
+{
+  constexpr double kFarthest_m = 2;
+  if (pairs.pairs.empty())
+  {
+    throw formats::FormatError(
+        "the run's poses and the truth's are of different times: this is the truth of another "
+        "log");
+  }
+  const evaluation::PosePair& first = pairs.pairs.front();
+  const double apart_m = (first.found.translation() - first.truth.translation()).norm();
+  if (apart_m > kFarthest_m)
+  {
+    throw formats::FormatError(fmt::format(
+        "the run begins {:.1f} m from where the truth's vehicle was: this is the truth of another "
+        "scene, or the run's poses are in another frame (as those of odometry)",
+        apart_m));
+  }
+}
+
 std::optional<PathScores> scoresOfPath(
     const std::vector<poses::StampedPose>& found, const std::vector<poses::StampedPose>& truth)
 {
@@ -99,6 +127,7 @@ std::optional<PathScores> scoresOfPath(
     return std::nullopt;
   }
   const evaluation::PosePairs pairs = evaluation::associate(found, truth);
+  checkSameWorld(pairs);
   return PathScores{
       pairs.pairs.size(), pairs.without_truth, evaluation::absoluteError(pairs.pairs),
       evaluation::relativeErrors(pairs.pairs, {1, 10, 50, 100}),
@@ -118,11 +147,17 @@ Scores scoresOfRun(const std::filesystem::path& run, const TruthFolder& truth, u
   params.min_returns = min_returns;
   Scores scores;
   scores.run = run.string();
+  scores.path = scoresOfPath(readTum(run / "trajectory.tum"), truth.trajectory);
+  const std::vector<Snapshot> snapshots = snapshotsOf(run);
   for (const std::filesystem::path& file : mapFiles(run))
   {
     scores.maps.push_back(scoresOfMap(file, truth, params));
+    MapScores& map = scores.maps.back();
+    if (map.not_compared.empty())
+    {
+      map.ghosts = ghostsOf(map.file, snapshots, truth);
+    }
   }
-  scores.path = scoresOfPath(readTum(run / "trajectory.tum"), truth.trajectory);
   return scores;
 }
 }  // namespace traverse::app

@@ -5,6 +5,7 @@
 #include "truth_folder.h"
 
 #include <traverse/evaluation/confusion.h>
+#include <traverse/evaluation/ghosts.h>
 #include <traverse/evaluation/obstacles.h>
 #include <traverse/evaluation/outlines.h>
 #include <traverse/evaluation/trajectory_errors.h>
@@ -24,7 +25,8 @@ struct MapScores
   evaluation::Confusion confusion;
   evaluation::ObstacleScore obstacles;
   evaluation::StateAgreement states;
-  evaluation::OutlineScores outlines;  //!< of things with returns
+  evaluation::OutlineScores outlines;            //!< of things with returns
+  std::optional<evaluation::GhostScore> ghosts;  //!< where there are snapshots and moving things
   layers::LayerSet verdicts;
 };
 
@@ -49,7 +51,7 @@ struct Scores
 };
 
 /** Of all maps of an output folder. Needs plugin::registerAllMaps(). Throws formats::FormatError
- * for what cannot be read. */
+ * for what cannot be read, and for a run that began elsewhere than the truth's vehicle. */
 Scores scoresOfRun(
     const std::filesystem::path& run, const TruthFolder& truth, uint32_t min_returns);
 }  // namespace traverse::app

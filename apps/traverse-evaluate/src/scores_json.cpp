@@ -84,6 +84,20 @@ Json outlinesJson(const evaluation::OutlineScores& o)
       {"things", std::move(things)}};
 }
 
+Json ghostsJson(const evaluation::GhostScore& g)
+{
+  const auto first_ghost = std::upper_bound(g.seconds.begin(), g.seconds.end(), 0.0);
+  return {
+      {"departures", g.seconds.size()},
+      {"ghosts", g.seconds.end() - first_ghost},
+      {"never_cleared", g.never_cleared},
+      {"unseen", g.unseen},
+      {"mean_s", g.mean_s()},
+      {"p50_s", g.percentile_s(0.5)},
+      {"p95_s", g.percentile_s(0.95)},
+      {"worst_s", g.percentile_s(1)}};
+}
+
 Json mapJson(const MapScores& map)
 {
   Json json{{"file", map.file}};
@@ -96,6 +110,10 @@ Json mapJson(const MapScores& map)
   json["obstacles"] = obstaclesJson(map.obstacles);
   json["states"] = statesJson(map.states);
   json["outlines"] = outlinesJson(map.outlines);
+  if (map.ghosts)
+  {
+    json["ghosts"] = ghostsJson(*map.ghosts);
+  }
   return json;
 }
 

@@ -8,6 +8,10 @@
 #include <traverse/formats/trajectory.h>
 
 #include <fmt/format.h>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <utility>
 
 namespace traverse::app
 {
@@ -78,6 +82,48 @@ std::vector<evaluation::TrueOutline> readOutlines(const fs::path& file)
   }
   return outlines;
 }
+
+std::vector<evaluation::MovingFrame> readMoving(const fs::path& file)
+{
+  const std::string text = asInput([&] { return formats::readFile(file, kLargestText); });
+  std::map<double, evaluation::MovingFrame> frames;
+  for (formats::Feature& feature : formats::parseGeoJson(text, fmt::format("'{}'", file.string())))
+  {
+    const auto time = feature.properties.find("time_s");
+    if (time == feature.properties.end() || !std::holds_alternative<double>(time->second))
+    {
+      throw formats::FormatError(
+          fmt::format("'{}' has a feature without a number time_s", file.string()));
+    }
+    evaluation::MovingFrame& frame = frames[std::get<double>(time->second)];
+    frame.time_s = std::get<double>(time->second);
+    std::move(feature.polygons.begin(), feature.polygons.end(), std::back_inserter(frame.outlines));
+  }
+  std::vector<evaluation::MovingFrame> all;
+  all.reserve(frames.size());
+  for (auto& [time_s, frame] : frames)
+  {
+    all.push_back(std::move(frame));
+  }
+  return all;
+}
+
+std::vector<evaluation::Departure> readDepartures(
+    const fs::path& file, const layers::LayerSet& layers)
+{
+  if (!isThere(file))
+  {
+    return {};
+  }
+  try
+  {
+    return evaluation::departuresOf(readMoving(file), layers.lattice, layers.extent);
+  }
+  catch (const std::length_error& e)
+  {
+    throw formats::FormatError(fmt::format("'{}': {}", file.string(), e.what()));
+  }
+}
 }  // namespace
 
 std::vector<poses::StampedPose> readTum(const fs::path& file)
@@ -93,8 +139,12 @@ std::vector<poses::StampedPose> readTum(const fs::path& file)
 
 TruthFolder readTruth(const fs::path& folder)
 {
-  return {
-      readLayers(folder), readOutlines(folder / "footprints.geojson"),
-      readTum(folder / "trajectory.tum")};
+  TruthFolder truth{
+      readLayers(folder),
+      readOutlines(folder / "footprints.geojson"),
+      readTum(folder / "trajectory.tum"),
+      {}};
+  truth.departures = readDepartures(folder / "moving.geojson", truth.layers);
+  return truth;
 }
 }  // namespace traverse::app

@@ -90,6 +90,23 @@ formats::Table obstacleTable(const MapScores& map)
         std::isfinite(area) ? fmt::format("{:.2f} m\u00B2", area) : "-"}}};
 }
 
+std::string seconds(double value)
+{
+  return std::isfinite(value) ? fmt::format("{:.2f} s", value) : "-";
+}
+
+formats::Table ghostTable(const evaluation::GhostScore& ghosts)
+{
+  return {
+      "How long cells stay obstacles when what moves has left them (0 s: not at all)",
+      {"what", "value"},
+      {{"cells left, of which the map was seen again", count(ghosts.seconds.size())},
+       {"half of them, at most", seconds(ghosts.percentile_s(0.5))},
+       {"95 % of them, at most", seconds(ghosts.percentile_s(0.95))},
+       {"the worst", seconds(ghosts.percentile_s(1))},
+       {"still obstacles at the end, or when something came again", count(ghosts.never_cleared)}}};
+}
+
 void addMap(formats::Section& section, const MapScores& map)
 {
   if (!map.not_compared.empty())
@@ -116,6 +133,10 @@ void addMap(formats::Section& section, const MapScores& map)
   section.blocks.emplace_back(classTable(scores));
   section.blocks.emplace_back(confusionTable(map.confusion));
   section.blocks.emplace_back(obstacleTable(map));
+  if (map.ghosts)
+  {
+    section.blocks.emplace_back(ghostTable(*map.ghosts));
+  }
 }
 
 std::vector<std::string> relativeRow(const std::string& what, const evaluation::RelativeError& e)

@@ -51,6 +51,17 @@ Json mapsOf(const RunMetrics& metrics)
   return maps;
 }
 
+Json snapshotsOf(const RunMetrics& metrics)
+{
+  Json snapshots = Json::array();
+  for (const SnapshotMetrics& snapshot : metrics.snapshots)
+  {
+    snapshots.push_back(
+        {{"map", snapshot.map}, {"file", snapshot.file}, {"time_s", snapshot.time_s}});
+  }
+  return snapshots;
+}
+
 Json pieceOf(const PieceMetrics& piece)
 {
   return {
@@ -132,6 +143,10 @@ std::string toJson(const RunMetrics& metrics)
       {"seconds_total", total_s},
       {"points_per_second", total_s > 0 ? static_cast<double>(metrics.points) / total_s : 0.0},
       {"peak_memory_mb", peakMemory_mb()}};
+  if (!metrics.snapshots.empty())
+  {
+    json["snapshots"] = snapshotsOf(metrics);
+  }
   if (metrics.piece)
   {
     json["piece"] = pieceOf(*metrics.piece);

@@ -80,6 +80,14 @@ struct PieceMetrics
   std::vector<std::string> log_warnings;
 };
 
+/** The classes of a map as they were once. */
+struct SnapshotMetrics
+{
+  std::string map;    //!< the file of its archive
+  std::string file;   //!< of its class layer
+  double time_s = 0;  //!< since 1970
+};
+
 /** What a run met and did: metrics.json. */
 struct RunMetrics
 {
@@ -111,6 +119,7 @@ struct RunMetrics
   std::map<std::string, uint64_t> poses_rejected;  //!< by class and reason
   std::vector<MapMetrics> maps;
   std::vector<logs::SensorTimes> sensors;  //!< for the report; not in metrics.json
+  std::vector<SnapshotMetrics> snapshots;
   std::vector<std::string> files;
   StageTimes times;
 };

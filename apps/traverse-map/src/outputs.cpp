@@ -140,6 +140,28 @@ void Outputs::snapshot(
               });
         }
       });
+  for (const BuiltMap& map : maps)
+  {
+    metrics_.times.during("snapshots", [&] { writeSnapshotClasses(map, track, time); });
+  }
+}
+
+void Outputs::writeSnapshotClasses(
+    const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time)
+{
+  if (!settings_.run.snapshot_classes)
+  {
+    return;
+  }
+  const layers::LayerSet set = layersOf(map, track, time);
+  const layers::Layer* classes = set.find(set.class_layer);
+  if (set.extent.empty() || classes == nullptr)
+  {
+    return;
+  }
+  const std::string name = fmt::format("snapshot{}_{:04}_class.tif", map.file_suffix, snapshots_);
+  write(name, formats::geoTiff(set, *classes));
+  metrics_.snapshots.push_back({archiveName(map), name, poses::secondsBetween(0, time)});
 }
 
 void Outputs::writePictures(
@@ -184,9 +206,14 @@ layers::LayerSet Outputs::layersOf(
     const geometry::CellIndex c =
         lattice.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y()));
     metrics_.complete = false;
-    metrics_.problems.push_back(fmt::format(
+    const std::string problem = fmt::format(
         "{}: {}; layers and pictures show {} cells around the robot, the archive has all", map.name,
-        e.what(), 2 * kHalf));
+        e.what(), 2 * kHalf);
+    if (std::find(metrics_.problems.begin(), metrics_.problems.end(), problem) ==
+        metrics_.problems.end())
+    {
+      metrics_.problems.push_back(problem);
+    }
     return map.consumer->layerSet(
         geometry::CellRect{{c.x - kHalf, c.y - kHalf}, {c.x + kHalf, c.y + kHalf}});
   }

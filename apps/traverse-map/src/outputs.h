@@ -33,7 +33,8 @@ class Outputs
    * replaced. */
   Outputs(const Settings& settings, RunMetrics& metrics);
 
-  /** Numbered pictures of all maps as they are at a time of the log. */
+  /** Numbered pictures, and classes where they are asked for, of all maps as they are at a time of
+   * the log. */
   void snapshot(
       const std::vector<BuiltMap>& maps, const poses::PoseTrack& track, poses::TimeNs time);
 
@@ -49,6 +50,7 @@ class Outputs
   /** All layers; of a map too large for that, those of a window around the robot, and a problem is
    * noted. */
   layers::LayerSet layersOf(const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time);
+  void writeSnapshotClasses(const BuiltMap& map, const poses::PoseTrack& track, poses::TimeNs time);
   void writeLayers(const BuiltMap& map, const layers::LayerSet& set);
   /** Files of the map's own (its octree), and what it warns of. */
   void writeExtras(const BuiltMap& map);

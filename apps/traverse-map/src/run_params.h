@@ -18,6 +18,7 @@ struct RunParams
   int threads = 2;
   int max_scans = 0;
   double snapshot_every_s = 0;
+  bool snapshot_classes = false;
   bool pictures = true;
   int picture_width_px = 1200;
   bool scene = true;
@@ -48,6 +49,12 @@ void visitRunParams(P& p, F&& f)
           "a picture of the map every so many seconds of the log; 0 = only at the end",
           {0, 1e6}},
       p.snapshot_every_s);
+  f(
+      Option{
+          "snapshot_classes",
+          "with snapshot_every_s: the classes of the cells, too, as snapshot_NNNN_class.tif with "
+          "its time in metrics.json, for traverse-evaluate"},
+      p.snapshot_classes);
   f(Option{"pictures", "write pictures (map_top.png, map_3d.png, snapshots)"}, p.pictures);
   f(Option{"picture_width_px", "width of pictures, pixels", {200, 4096}}, p.picture_width_px);
   f(Option{"scene", "write the 3-D view for SceneViewer3D (map.3Dscene)"}, p.scene);

@@ -28,6 +28,9 @@ void writeTruth(
   {
     times.push_back(recording.durationSeconds());
   }
+  const simulation::TruthFile moving = simulation::movingThings(
+      settings.scene, settings.recording.vehicle, recording.durationSeconds());
+  folder.write(moving.name, moving.bytes);
   simulation::TruthRequest request;
   request.vehicle = settings.recording.vehicle;
   request.params = settings.truth.cells;

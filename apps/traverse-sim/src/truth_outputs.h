@@ -8,8 +8,9 @@
 
 namespace traverse::app
 {
-/** truth_*.tif and footprints.geojson for each of the times that [Truth] asks for; all but the last
- * time's have the time in their names ("truth_class_at_2.5_s.tif"). Throws formats::FileError. */
+/** moving.geojson; truth_*.tif and footprints.geojson for each of the times that [Truth] asks for;
+ * all but the last time's have the time in their names ("truth_class_at_2.5_s.tif"). Throws
+ * formats::FileError. */
 void writeTruth(
     formats::OutputFolder& folder,
     const SimSettings& settings,

@@ -31,4 +31,12 @@ struct TruthFile
  * and trajectory.tum, is the app's.) The same bytes on every machine
  * with the same GDAL. Throws as cellTruth(). */
 std::vector<TruthFile> truthFiles(const Scene& scene, const TruthRequest& request);
+
+/** From one place of a moving thing in movingThings() to its next, s. */
+inline constexpr double kMovingStepSeconds = 0.1;
+
+/** moving.geojson: where the things that have a track stand from the beginning to to_s (standing
+ * still, too), as footprints.geojson with a property `time_s`, s since 1970 of the recording's
+ * clock. Throws as footprints(). */
+TruthFile movingThings(const Scene& scene, const geometry::Vehicle& vehicle, double to_s);
 }  // namespace traverse::simulation
