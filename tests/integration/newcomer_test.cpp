@@ -103,6 +103,10 @@ TEST(Newcomer, EveryIniOfTheHouseIsTaken)
 {
   for (const auto& entry : fs::directory_iterator(kRoot / "ini"))
   {
+    if (entry.is_directory())  // scenes: traverse-sim's
+    {
+      continue;
+    }
     const Finished ran = traverseMap({entry.path(), "--check-config"});
     EXPECT_EQ(ran.exit_code, 0) << entry.path() << ": " << ran.err;
   }

@@ -6,6 +6,7 @@
 #include <traverse/observations/to_scan.h>
 #include <traverse/simulating/observations.h>
 #include <traverse/simulating/recording_file.h>
+#include <traverse/simulating/truth_section.h>
 
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
@@ -48,6 +49,39 @@ TEST(RecordingFile, WithoutSectionsIsOneHdl32e)
 {
   const auto ini = config::IniDocument::fromText("", "text");
   EXPECT_EQ(simulating::readRecording(ini), RecordingParams{});
+}
+
+TEST(TruthSection, SaysEverything)
+{
+  simulating::TruthSection section;
+  section.cells.cell_size_m = 0.1;
+  section.cells.large_max_m = 0.3;
+  section.at_s = {0.5, 2};
+  const auto ini = config::IniDocument::fromText(simulating::truthText(section), "text");
+  EXPECT_EQ(simulating::readTruthSection(ini), section);
+  const auto usual = config::IniDocument::fromText(simulating::truthText({}), "text");
+  EXPECT_EQ(simulating::readTruthSection(usual), simulating::TruthSection());
+}
+
+TEST(TruthSection, NamesThePlaceOfWhatItRefuses)
+{
+  const auto refusal = [](const std::string& text)
+  {
+    try
+    {
+      simulating::readTruthSection(config::IniDocument::fromText(text, "scene.ini"));
+    }
+    catch (const config::ConfigError& e)
+    {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(
+      refusal("[Truth]\nat_s = 3 2\n"),
+      "scene.ini:2: [Truth] at_s = '3 2': allowed: times that grow");
+  EXPECT_EQ(
+      refusal("[Truth]\nflat_m = 1\n").rfind("scene.ini:2: [Truth] unknown key 'flat_m'", 0), 0U);
 }
 
 TEST(SimulatedObservation, OfALidarCarriesMrptsOwnCalibration)
