@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace
 {
 using namespace traverse::testing;
@@ -101,9 +103,12 @@ TEST_F(TraverseMapPieces, MetricsAddUpToThoseOfTheWholeLog)
   ASSERT_EQ(merge({"1", "2"}, "merged").exit_code, 0);
   EXPECT_EQ(metricsOf(scratch_ / "2")["piece"]["number"], 2);
   EXPECT_EQ(metricsOf(scratch_ / "2")["piece"]["of"], 2);
-  const auto whole = metricsOf(scratch_ / "whole");
+  auto whole = metricsOf(scratch_ / "whole");
   const auto merged = metricsOf(scratch_ / "merged");
   EXPECT_EQ(merged["merged_pieces"], 2);
+  auto& files = whole["files"];
+  files.erase(
+      std::remove(files.begin(), files.end(), "trajectory.tum"), files.end());  // of one log
   for (const auto& [key, value] : whole.items())
   {
     if (key.rfind("seconds", 0) != 0 && key != "points_per_second" && key != "peak_memory_mb")

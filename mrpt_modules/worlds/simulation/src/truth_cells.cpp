@@ -25,7 +25,11 @@ float offPlane(const std::array<float, kSubs>& height_m)
   float along_x = 0;
   float along_y = 0;
   const auto u = [](int k) { return static_cast<float>(k % kSubsPerCell) - kMiddle; };
-  const auto v = [](int k) { return static_cast<float>(k / kSubsPerCell) - kMiddle; };
+  const auto v = [](int k)
+  {
+    const int row = k / kSubsPerCell;
+    return static_cast<float>(row) - kMiddle;
+  };
   for (int k = 0; k < kSubs; ++k)
   {
     const float h = height_m[k] - base;
@@ -107,19 +111,19 @@ TrueClass CellJudge::classOf(float roughness_m) const
 double CellJudge::riseAlong(int32_t middle, int32_t line, bool along_x) const
 {
   const SubGrid& grid = subs_.grid;
-  const int half = std::max(1, static_cast<int>(0.5 / grid.sub_m() + 0.5));
+  const int half = std::max(1, static_cast<int>(std::lround(0.5 / grid.sub_m())));
   const int count = along_x ? grid.width() : grid.height();
   const int from = std::max(0, middle * kSubsPerCell + kSubsPerCell / 2 - half);
   const int to = std::min(count - 1, middle * kSubsPerCell + kSubsPerCell / 2 - 1 + half);
   const int beside = line * kSubsPerCell + kSubsPerCell / 2;
   const auto step_m = static_cast<float>(grid.sub_m());  // steeper than 45 deg is no slope
-  const auto baseAt = [&](int i)
+  const auto base_at = [&](int i)
   { return subs_.ground.base_m[along_x ? grid.at(i, beside) : grid.at(beside, i)]; };
   double rise_m = 0;
-  float before_m = baseAt(from);
+  float before_m = base_at(from);
   for (int i = from + 1; i <= to; ++i)
   {
-    const float here_m = baseAt(i);
+    const float here_m = base_at(i);
     rise_m += std::abs(here_m - before_m) > step_m ? 0 : here_m - before_m;
     before_m = here_m;
   }
