@@ -26,7 +26,7 @@ class CellView
   /** The cell's value; `outside` where the layer does not reach. */
   T at(geometry::CellIndex c, T outside = {}) const
   {
-    return extent_.contains(c) ? (*cells_)[indexOf(c)] : outside;
+    return cells_ != nullptr && extent_.contains(c) ? (*cells_)[indexOf(c)] : outside;
   }
 
   const geometry::CellRect& extent() const { return extent_; }
