@@ -32,23 +32,38 @@ struct Census
   std::array<uint64_t, simulation::kLabels> by_label{};
 };
 
-void writeLabels(const fs::path& folder, const std::vector<uint32_t>& labels, Census& census)
+/** The folder's commit brings it to the disk. */
+template <class T>
+void writeArray(const fs::path& path, const std::vector<T>& values)
 {
-  const std::string name = fmt::format("{:06}.label", census.turns++);
-  census.points += labels.size();
-  for (const uint32_t label : labels)
-  {
-    ++census.by_label.at(label & 0xFFFFU);
-  }
-  std::ofstream file(folder / name, std::ios::binary);  // the folder's commit brings it to the disk
+  std::ofstream file(path, std::ios::binary);
   file.write(
-      reinterpret_cast<const char*>(labels.data()),
-      static_cast<std::streamsize>(labels.size() * sizeof(uint32_t)));
+      reinterpret_cast<const char*>(values.data()),
+      static_cast<std::streamsize>(values.size() * sizeof(T)));
   file.close();
   if (!file)
   {
-    throw formats::FileError("write", folder / name, errno);
+    throw formats::FileError("write", path, errno);
   }
+}
+
+/** What a turn's points are (part.h), as files for people: labels and materials apart. */
+void writeLabels(const fs::path& folder, const std::vector<uint32_t>& truths, Census& census)
+{
+  std::vector<uint32_t> labels;
+  std::vector<uint8_t> materials;
+  labels.reserve(truths.size());
+  materials.reserve(truths.size());
+  for (const uint32_t truth : truths)
+  {
+    ++census.by_label.at(truth & 0xFFU);
+    labels.push_back((truth & 0xFFU) | (truth & 0xFFFF0000U));
+    materials.push_back(static_cast<uint8_t>(truth >> 8U));
+  }
+  const std::string number = fmt::format("{:06}", census.turns++);
+  census.points += truths.size();
+  writeArray(folder / (number + ".label"), labels);
+  writeArray(folder / (number + ".material"), materials);
 }
 
 /** log.rawlog and labels/, from the parts. */

@@ -30,7 +30,9 @@ struct Made
 
 uint32_t labelOf(const simulation::ReturnTruth& truth)
 {
-  return static_cast<uint32_t>(truth.label) | truth.object << 16U;
+  static_assert(simulation::kLabels <= 256 && simulation::kMaterials <= 256);
+  return static_cast<uint32_t>(truth.label) | static_cast<uint32_t>(truth.material) << 8U |
+         truth.object << 16U;
 }
 
 Made madeOf(const Event& event, const simulation::RecordingParams& params)

@@ -11,8 +11,19 @@ namespace
 {
 constexpr double kMmPerM = geometry::kMillimetresPerMetre;
 
-/** Points scatter as noise does up to this many times its variance. */
+/** Points scatter as noise does up to this many times its variance; from the second on by what is
+ * there, and in between by both. */
 constexpr double kNoiseOnly = 1.2;
+constexpr double kNoNoise = 4;
+
+/** How far noise takes the farthest point off the cell's surface, as the points' scatter has it. */
+float noiseOf(const Features& f)
+{
+  const double beyond = f.residual_m2 - kNoiseOnly * f.noise_m2;
+  const double most = (kNoNoise - kNoiseOnly) * f.noise_m2;
+  const double share = beyond <= 0 ? 1 : beyond >= most ? 0 : 1 - beyond / most;
+  return static_cast<float>(share * noiseSpan_m(f));
+}
 
 /** A level beam meets what stands upright, and sees nothing of its height: it is taken to be so
  * high.
@@ -107,7 +118,7 @@ ground::Column Judge::columnOf(geometry::CellIndex cell, const Features& f) cons
       above(f.min_m),
       above(f.mean_m),
       above(2 * f.level_n > f.n ? std::max(f.max_m, f.min_m + kUpright_m) : f.max_m),
-      static_cast<float>(f.residual_m2 <= kNoiseOnly * f.noise_m2 ? noiseSpan_m(f) : 0)};
+      noiseOf(f)};
 }
 
 void Judge::finish(const Reread& reread)

@@ -84,12 +84,8 @@ ObstacleScore obstacleScore(
         {
           ++score.true_cells;
           score.found_cells += found ? 1 : 0;
-          const uint32_t object = objects.at(c);
-          if (object > kGround)
-          {
-            bool& any = found_by_object[object];
-            any = any || found;
-          }
+          bool& any = found_by_object[objects.at(c)];
+          any = any || found;
         }
         if (found)
         {
@@ -97,6 +93,7 @@ ObstacleScore obstacleScore(
           score.phantom_cells += obstacleNear(cells.truth(), c) ? 0 : 1;
         }
       });
+  std::erase_if(found_by_object, [](const auto& one) { return one.first <= kGround; });
   score.objects = found_by_object.size();
   for (const auto& [object, any] : found_by_object)
   {

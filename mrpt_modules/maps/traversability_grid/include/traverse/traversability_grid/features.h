@@ -44,7 +44,7 @@ struct Features
   double slope_deg() const;
 };
 
-/** How far the sensor's noise by itself takes the farthest of the cell's points off a surface, m. */
+/** How far the noise of the sensor by itself takes the farthest of the points off a surface, m. */
 double noiseSpan_m(const Features& features);
 
 /** How a cell's slabs are read. */

@@ -82,8 +82,8 @@ struct Params
   int index_flat = 20;
   int index_small_roughness = 45;
   int index_large_roughness = 75;
-  double range_noise_m = 0.01;
-  double angle_noise_deg = 0.01;
+  double range_noise_m = 0.02;
+  double angle_noise_deg = 0.03;
   ground::Params ground;
 
   friend bool operator==(const Params&, const Params&) = default;
