@@ -41,7 +41,7 @@ class Scene
         if (where(x_m, y_m))
         {
           const float z = height(x_m, y_m);
-          columns_[{x, y}] = {{x, y}, 5, z - span_m / 2, z, z + span_m / 2};
+          columns_[{x, y}] = {{x, y}, 5, z - span_m / 2, z, z + span_m / 2, z + span_m / 2};
         }
       }
     }

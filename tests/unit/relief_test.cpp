@@ -28,7 +28,7 @@ class Field
     {
       for (int32_t x = kWindow.min.x; x < kWindow.max.x; ++x)
       {
-        columns_[{y, x}] = {{x, y}, points, -0.005F, 0, 0.005F, 0};
+        columns_[{y, x}] = {{x, y}, points, -0.005F, 0, 0.005F, 0.005F, 0};
       }
     }
   }
@@ -70,7 +70,7 @@ class Field
 
 Column column(uint32_t n, float low_m, float mean_m, float top_m, float noise_m = 0)
 {
-  return {{}, n, low_m, mean_m, top_m, noise_m};
+  return {{}, n, low_m, mean_m, top_m, top_m, noise_m};
 }
 
 Field::Where box(double x0, double y0, double x1, double y1)
@@ -92,6 +92,14 @@ TEST(Relief, OfAClodIsItsHeight)
   EXPECT_GT(field.at(5.1, 3.1).relief_m, 0.07F);
   EXPECT_LT(field.at(5.1, 3.1).relief_m, 0.085F);
   EXPECT_LT(field.at(5.3, 3.1).relief_m, 0.03F) << "the cell beside it is flat";
+}
+
+TEST(Relief, OfALevelBeamsHitIsWhatWasSeenOfIt)
+{
+  Column hit = column(5, 0, 0, 0.005F);
+  hit.top_m = 0.5F;  // taken to stand upright
+  const Field field = Field(300).with(hit, box(5.0, 3.0, 5.2, 3.2));
+  EXPECT_LT(field.at(5.1, 3.1).relief_m, 0.03F);
 }
 
 TEST(Relief, OfANarrowBankIsItsHeightThoughItsTopIsFlat)
@@ -136,6 +144,13 @@ TEST(Relief, APatchOfGrassIsLowGrowthAFenceIsNot)
   EXPECT_TRUE(Field(100).with(grass, box(4, 2, 6, 4)).at(5.1, 3.1).is_low_growth);
   EXPECT_FALSE(Field(100).with(grass, box(4, 3.0, 6, 3.2)).at(5.1, 3.1).is_low_growth)
       << "one cell wide: a fence of wire, which much is seen through";
+  const Column wire = column(60, 0, 0.1F, 1.2F);
+  EXPECT_FALSE(Field(100)
+                   .with(grass, box(4, 2, 6, 4))
+                   .with(wire, box(5.2, 3.0, 5.4, 3.2))
+                   .at(5.1, 3.1)
+                   .is_low_growth)
+      << "grass beside something tall may be part of it";
   const Column board = column(60, 0, 0.17F, 0.35F);
   EXPECT_FALSE(Field(100).with(board, box(4, 2, 6, 4)).at(5.1, 3.1).is_low_growth);
 }

@@ -127,7 +127,8 @@ void PatchGrid::putColumns(std::span<const Column> columns)
     const uint16_t x = by_x_[static_cast<size_t>(c.cell.x - window_.min.x)].cell;
     const uint16_t y = by_y_[static_cast<size_t>(c.cell.y - window_.min.y)].cell;
     const uint32_t put = blocks_[static_cast<size_t>(block_of_[i])].first++;
-    columns_[put] = {c.low_m, c.mean_m, c.top_m, c.noise_m, c.n, static_cast<uint32_t>(i), x, y};
+    columns_[put] = {
+        c.low_m, c.mean_m, c.top_m, c.highest_m, c.noise_m, c.n, static_cast<uint32_t>(i), x, y};
     slots_[slotOf(block_of_[i], x, y)] = static_cast<int32_t>(put);
   }
   for (Block& block : blocks_)

@@ -54,6 +54,7 @@ struct PlacedColumn
   float low_m = 0;
   float mean_m = 0;
   float top_m = 0;
+  float highest_m = 0;
   float noise_m = 0;
   uint32_t n = 0;
   uint32_t number = 0;  //!< as it was given

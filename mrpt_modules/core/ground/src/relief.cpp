@@ -84,7 +84,7 @@ void Relief::measure(
   Shape& shape = shapes_[column_at];
   shape.low_m = column.low_m - plane.z_m;
   shape.mean_m = column.mean_m - plane.z_m;
-  shape.top_m = column.top_m - plane.z_m;
+  shape.top_m = column.highest_m - plane.z_m;
   const float up_m = shape.top_m - plane.tilt_m - column.noise_m;
   const float down_m = -shape.low_m - plane.tilt_m - column.noise_m;
   shape.relief_m = 0;
@@ -151,18 +151,20 @@ void Relief::amongOthers(const PatchGrid& grid, int32_t patch, size_t i, Verdict
   std::array<float, 9> around{};
   size_t count = 0;
   int alike = 0;
+  bool is_beside_tall = false;
   grid.forEachAround(
       patch, column,
       [&](size_t k)
       {
         const bool is_growth = shapes_[k].isMostlyLow(kRatherLow);
+        is_beside_tall = is_beside_tall || shapes_[k].top_m >= kMostGrowth_m;
         if (k != i && (is_growth || shapes_[k].relief_m < kTall_m))
         {
           around[count++] = shapes_[k].relief_m;
           alike += static_cast<int>(is_growth);
         }
       });
-  verdict.is_low_growth = is_low && alike >= kGrowthAround;
+  verdict.is_low_growth = is_low && alike >= kGrowthAround && !is_beside_tall;
   if (count < kLeastAround)
   {
     return;

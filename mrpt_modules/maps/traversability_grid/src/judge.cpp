@@ -118,6 +118,7 @@ ground::Column Judge::columnOf(geometry::CellIndex cell, const Features& f) cons
       above(f.min_m),
       above(f.mean_m),
       above(2 * f.level_n > f.n ? std::max(f.max_m, f.min_m + kUpright_m) : f.max_m),
+      above(f.max_m),
       noiseOf(f)};
 }
 

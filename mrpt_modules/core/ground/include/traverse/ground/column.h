@@ -17,8 +17,9 @@ struct Column
   uint32_t n = 0;
   float low_m = 0;
   float mean_m = 0;
-  float top_m = 0;
-  float noise_m = 0;  //!< noise alone takes points so far off a surface; 0: they scatter by more
+  float top_m = 0;      //!< up to which something is taken to stand, of which less may be seen
+  float highest_m = 0;  //!< of its points
+  float noise_m = 0;    //!< noise alone takes points so far off a surface; 0: they scatter by more
 };
 
 /** A place where the vehicle stands or stood: the ground there is known without any point. */
