@@ -1,12 +1,17 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/formats/gzip.h>
+#include <traverse/formats/safe_file.h>
 #include <traverse/simulation/build.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <support/data.h>
 #include <support/scene_words.h>
+#include <support/scratch_folder.h>
 
 namespace
 {
@@ -247,4 +252,33 @@ TEST(Raster, RefusesAFileThatDoesNotFitItsName)
     EXPECT_THROW(buildTerrain(sceneWith({raster})), std::runtime_error) << name;
   }
 }
+
+TEST(Raster, RefusesHeightsThatNoGroundHas)
+{
+  const ScratchFolder folder;
+  const std::array<float, 4> heights = {0, 1, 1e38F, 2};
+  std::string bytes(sizeof heights, '\0');
+  std::memcpy(bytes.data(), heights.data(), bytes.size());
+  formats::writeFile(folder / "x_2x2_float32.raw.gz", formats::gzip(bytes));
+  formats::writeFile(folder / "x.json", R"({"R": [1, 0, 0, 1], "t": [0, 0], "s": 1})");
+  formats::writeFile(folder / "x.csv", "x,y,z\n0,0,0\n1,0,1\n0,1,-20000\n");
+  TerrainParams raster = terrainOf(TerrainKind::raster);
+  raster.transform_file = "x.json";
+  SceneParams scene = sceneWith({raster});
+  scene.folder = folder.path();
+  for (const char* name : {"x_2x2_float32.raw.gz", "x.csv"})
+  {
+    scene.terrains[0].file = name;
+    try
+    {
+      buildTerrain(scene);
+      ADD_FAILURE() << name << " was taken";
+    }
+    catch (const std::runtime_error& e)
+    {
+      EXPECT_NE(std::string(e.what()).find("within 10 km"), std::string::npos) << e.what();
+    }
+  }
+}
+
 }  // namespace

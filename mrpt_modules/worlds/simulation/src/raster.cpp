@@ -10,6 +10,22 @@
 
 namespace traverse::simulation
 {
+namespace
+{
+/** Embree ends the program where a mesh has no finite size. */
+void checkHeights(const Raster& raster, const std::string& file)
+{
+  constexpr float kHighest_m = 1e4F;
+  const bool possible = std::all_of(
+      raster.heights_m.begin(), raster.heights_m.end(),
+      [](float height_m) { return std::abs(height_m) <= kHighest_m; });
+  if (!possible)
+  {
+    throw options::OptionError("file", file, "heights within 10 km of zero");
+  }
+}
+}  // namespace
+
 double Raster::at(double x_m, double y_m) const
 {
   const Eigen::Vector2d node = to_node * Eigen::Vector2d(x_m, y_m) + shift;
@@ -85,6 +101,7 @@ std::shared_ptr<const Raster> loadRaster(const TerrainParams& params, const Scen
   {
     throw options::OptionError("file", params.file, "a file with known heights");
   }
+  checkHeights(*raster, params.file);
   raster->zero_m = raster->at(0, 0);
   return raster;
 }

@@ -36,7 +36,7 @@ class Raster
 };
 
 /** Of params.file, its height at the scene's zero being 0. Throws std::runtime_error and
- * OptionError where a file is missing, damaged, or knows nothing. */
+ * OptionError where a file is missing, damaged, knows nothing, or has heights beyond 10 km. */
 std::shared_ptr<const Raster> loadRaster(const TerrainParams& params, const SceneParams& scene);
 
 /** Argoverse 2's ground raster: NAME_ROWSxCOLS_float32.raw.gz and its transform. */
