@@ -82,6 +82,21 @@ std::vector<uint32_t> labelsIn(const fs::path& file)
   return labels;
 }
 
+/** Kills a run of this ini when its first part is there; false where that never came. */
+bool killAfterFirstPart(const fs::path& ini, const fs::path& output)
+{
+  const fs::path first_part = fs::path(output.string() + ".parts") / "000000.log.gz";
+  std::vector<std::string> command = simCommand(ini, output);
+  command.insert(command.end(), {"--threads", "1"});
+  Process killed(command);
+  for (int i = 0; i < 3000 && !fs::exists(first_part) && killed.running(); ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  killed.signal(SIGKILL);
+  return killed.wait(std::chrono::seconds(10)).exit_code == 128 + SIGKILL && fs::exists(first_part);
+}
+
 /** One run that all tests look at. */
 class TraverseSim : public ::testing::Test
 {
@@ -154,18 +169,7 @@ TEST_F(TraverseSim, KilledGoesOnWhereItWas)
 {
   const fs::path resumed = *shared_folder / "resumed";
   const fs::path first_part = *shared_folder / "resumed.parts" / "000000.log.gz";
-  {
-    std::vector<std::string> command = simCommand(ini(), resumed);
-    command.insert(command.end(), {"--threads", "1"});
-    Process killed(command);
-    for (int i = 0; i < 3000 && !fs::exists(first_part) && killed.running(); ++i)
-    {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    killed.signal(SIGKILL);
-    EXPECT_EQ(killed.wait(std::chrono::seconds(10)).exit_code, 128 + SIGKILL);
-  }
-  ASSERT_TRUE(fs::exists(first_part));
+  ASSERT_TRUE(killAfterFirstPart(ini(), resumed));
   EXPECT_FALSE(fs::exists(resumed));
   const auto written = fs::last_write_time(first_part);
   const std::string bytes = readText(first_part);
@@ -175,6 +179,23 @@ TEST_F(TraverseSim, KilledGoesOnWhereItWas)
   EXPECT_EQ(readText(resumed / "log.rawlog").substr(0, bytes.size()), bytes);
   EXPECT_FALSE(fs::exists(first_part));
   EXPECT_LT(written, fs::last_write_time(resumed / "log.rawlog"));
+}
+
+TEST_F(TraverseSim, MakesDamagedPartsAgain)
+{
+  ASSERT_TRUE(killAfterFirstPart(ini(), *shared_folder / "whole"));
+  const fs::path parts = *shared_folder / "whole.parts";
+  const auto finish = [&](const char* name, const std::string& file, uintmax_t size)
+  {
+    const fs::path damaged = *shared_folder / (std::string(name) + ".parts");
+    fs::copy(parts, damaged);
+    fs::resize_file(damaged / file, size);
+    const Finished finished = simulate(ini(), *shared_folder / name);
+    EXPECT_EQ(finished.exit_code, 0) << name << finished.err;
+    EXPECT_TRUE(filesIn(*shared_folder / name) == filesIn(output())) << name;
+  };
+  finish("no_log", "000000.log.gz", 0);
+  finish("cut_labels", "000000.labels", fs::file_size(parts / "000000.labels") / 2);
 }
 
 TEST_F(TraverseSim, DoesNotMixPartsOfAnotherRun)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "part_store.h"
 
+#include <traverse/formats/bytes.h>
+#include <traverse/formats/checksum.h>
 #include <traverse/formats/safe_file.h>
 
 #include <fmt/format.h>
@@ -70,21 +72,57 @@ fs::path PartStore::labelsOf(size_t number) const
 
 bool PartStore::has(size_t number) const
 {
-  return fs::exists(logOf(number));
+  if (!fs::exists(logOf(number)))
+  {
+    return false;
+  }
+  try
+  {
+    get(number);
+    return true;
+  }
+  catch (const formats::FileError&)
+  {
+    return false;
+  }
+  catch (const formats::FormatError&)
+  {
+    return false;
+  }
 }
 
 void PartStore::put(size_t number, const Part& part) const
 {
-  formats::writeFile(labelsOf(number), labelBytes(part.labels));
+  const std::string labels = labelBytes(part.labels);
+  formats::ByteWriter writer;
+  writer.u64(part.log.size());
+  writer.u32(formats::crc32(part.log));
+  writer.u32(formats::crc32(labels));
+  writer.raw(labels);
+  formats::writeFile(labelsOf(number), writer.bytes());
   formats::writeFile(logOf(number), part.log);  // last: a part is there with its log
 }
 
 Part PartStore::get(size_t number) const
 {
+  const std::string name = labelsOf(number).string();
+  const std::string bytes = formats::readFile(name, kMostBytes);
+  formats::ByteReader reader(bytes, name);
+  const uint64_t log_size = reader.u64();
+  const uint32_t log_crc = reader.u32();
+  const uint32_t labels_crc = reader.u32();
+  const std::string labels(reader.raw(reader.remaining()));
+  if (log_size > kMostBytes || formats::crc32(labels) != labels_crc)
+  {
+    throw formats::FormatError(fmt::format("'{}' is damaged", name));
+  }
   Part part;
-  part.log = formats::readFile(logOf(number), kMostBytes);
-  const fs::path labels = labelsOf(number);
-  part.labels = labelsIn(formats::readFile(labels, kMostBytes), labels.string());
+  part.log = formats::readFile(logOf(number), log_size);
+  if (part.log.size() != log_size || formats::crc32(part.log) != log_crc)
+  {
+    throw formats::FormatError(fmt::format("'{}' is damaged", logOf(number).string()));
+  }
+  part.labels = labelsIn(labels, name);
   return part;
 }
 

@@ -18,12 +18,14 @@ class PartStore
    * formats::FileError, also for a folder that is none of ours. */
   PartStore(const std::filesystem::path& output, const std::string& made_of);
 
+  /** False also for a part that is damaged or cannot be read: it is made again. */
   bool has(size_t number) const;
 
   /** Durable once it returns. Throws formats::FileError. */
   void put(size_t number, const Part& part) const;
 
-  /** Throws formats::FileError, formats::FormatError. */
+  /** Throws formats::FileError, and formats::FormatError where the bytes are not those of put().
+   */
   Part get(size_t number) const;
 
   /** When they are not needed any more. */
