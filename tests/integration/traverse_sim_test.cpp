@@ -5,11 +5,14 @@
 #include "support/process.h"
 #include "support/traverse_import.h"
 
+#include <traverse/formats/gzip.h>
+#include <traverse/formats/safe_file.h>
 #include <traverse/formats/trajectory.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -95,6 +98,16 @@ bool killAfterFirstPart(const fs::path& ini, const fs::path& output)
   }
   killed.signal(SIGKILL);
   return killed.wait(std::chrono::seconds(10)).exit_code == 128 + SIGKILL && fs::exists(first_part);
+}
+
+/** A raster of 2 x 2 nodes that are 100 m apart, the last one so high. */
+void writeRaster(const fs::path& folder, float height_m)
+{
+  const std::array<float, 4> heights = {0, 0, 0, height_m};
+  std::string bytes(sizeof heights, '\0');
+  std::memcpy(bytes.data(), heights.data(), bytes.size());
+  formats::writeFile(folder / "hill_2x2_float32.raw.gz", formats::gzip(bytes));
+  formats::writeFile(folder / "hill.json", R"({"R": [1, 0, 0, 1], "t": [50, 50], "s": 0.01})");
 }
 
 /** One run that all tests look at. */
@@ -196,6 +209,24 @@ TEST_F(TraverseSim, MakesDamagedPartsAgain)
   };
   finish("no_log", "000000.log.gz", 0);
   finish("cut_labels", "000000.labels", fs::file_size(parts / "000000.labels") / 2);
+}
+
+TEST_F(TraverseSim, DoesNotMixPartsOfAnotherRaster)
+{
+  const fs::path hilly = *shared_folder / "hilly.ini";
+  writeText(
+      hilly, std::string(kIni) +
+                 "[Terrain_00]\nkind = raster\nfile = hill_2x2_float32.raw.gz\n"
+                 "transform_file = hill.json\n");
+  writeRaster(shared_folder->path(), 1);
+  ASSERT_TRUE(killAfterFirstPart(hilly, *shared_folder / "mixed"));
+  writeRaster(shared_folder->path(), 4);
+  for (const char* name : {"mixed", "fresh"})
+  {
+    const Finished finished = simulate(hilly, *shared_folder / name);
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  }
+  EXPECT_TRUE(filesIn(*shared_folder / "mixed") == filesIn(*shared_folder / "fresh"));
 }
 
 TEST_F(TraverseSim, DoesNotMixPartsOfAnotherRun)

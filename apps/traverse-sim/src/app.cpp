@@ -94,8 +94,8 @@ bool makeParts(
 std::string madeOf(const SimSettings& settings, uint64_t seed)
 {
   return fmt::format(
-      "// traverse-sim {}, seed {}, parts of {} s\n{}", TRAVERSE_VERSION, seed, kPartSeconds,
-      settings.text);
+      "// traverse-sim {}, seed {}, parts of {} s\n{}{}", TRAVERSE_VERSION, seed, kPartSeconds,
+      settings.files, settings.text);
 }
 
 ExitCode simulate(const SimCommand& command, const SimSettings& settings)

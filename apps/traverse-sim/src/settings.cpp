@@ -3,6 +3,7 @@
 #include "settings.h"
 
 #include <traverse/config/ini_document.h>
+#include <traverse/formats/checksum.h>
 #include <traverse/simulating/recording_file.h>
 #include <traverse/simulating/scene_file.h>
 #include <traverse/simulation/build.h>
@@ -73,6 +74,26 @@ simulation::SceneParams sceneOf(const config::IniDocument& ini, uint64_t seed)
   return scene;
 }
 
+/** Size and CRC-32 of each raster's files, so that parts made of others are not used. */
+std::string filesOf(const simulation::SceneParams& scene)
+{
+  std::string all;
+  for (const simulation::TerrainParams& terrain : scene.terrains)
+  {
+    for (const std::string& file : {terrain.file, terrain.transform_file})
+    {
+      std::error_code error;
+      if (std::filesystem::is_regular_file(file, error))
+      {
+        all += fmt::format(
+            "// {}: {} bytes, CRC-32 {:08x}\n", file, std::filesystem::file_size(file),
+            formats::crc32OfFile(file));
+      }
+    }
+  }
+  return all;
+}
+
 /** A number of an object has 16 bits in the labels. */
 void checkObjects(const simulation::Scene& scene)
 {
@@ -134,6 +155,7 @@ SimSettings readSettings(const SimCommand& command)
     settings.recording.drive.ys_m = scene.drive_ys_m;
   }
   settings.scene = asConfiguration([&] { return simulation::buildScene(scene); });
+  settings.files = asConfiguration([&] { return filesOf(scene); });
   checkObjects(settings.scene);
   scene.drive_xs_m.clear();  // the recording says them
   scene.drive_ys_m.clear();

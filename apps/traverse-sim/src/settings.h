@@ -17,7 +17,8 @@ struct SimSettings
   simulation::Scene scene;
   simulation::RecordingParams recording;
   simulating::TruthSection truth;
-  std::string text;  //!< of all, every key written out: an ini that makes the same again
+  std::string text;   //!< of all, every key written out: an ini that makes the same again
+  std::string files;  //!< the bytes and CRC-32 of each file that the ground is made of, as text
 };
 
 /** Throws config::ConfigError. */
