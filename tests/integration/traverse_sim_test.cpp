@@ -267,6 +267,8 @@ TEST_F(TraverseSim, RefusesIniFilesThatAreWrong)
   refused("[Drive]\nspeed_mps = -1\n", "speed_mps");
   refused("[Drive]\nxs_m = 1 2\nys_m = 1\n", "xs_m");
   refused("[Rain]\nheavy = true\n", "Rain");
+  refused(
+      "[Scene]\nmin_x_m = -2000\nmax_x_m = 2000\nmin_y_m = -2000\nmax_y_m = 2000\n", "50000000");
 }
 
 TEST_F(TraverseSim, ChecksAConfigurationWithoutWritingAnything)

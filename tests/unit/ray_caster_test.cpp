@@ -124,6 +124,17 @@ TEST(RayCaster, NoRaySlipsThroughTheGround)
   }
 }
 
+TEST(RayCaster, MoreGroundThanMemoryHoldsIsRefused)
+{
+  Scene scene = planeScene();
+  EXPECT_EQ(groundVertices(scene), 25U * 25 * 33 * 33);  // tiles of 8 m, meshes of 0.25 m
+  scene.area = {-2000, -2000, 2000, 2000};
+  EXPECT_GT(groundVertices(scene), kMostGroundVertices);
+  EXPECT_THROW(RayCaster{scene}, std::invalid_argument);
+  scene.area = {-1e300, -1e300, 1e300, 1e300};
+  EXPECT_THROW(RayCaster{scene}, std::invalid_argument);
+}
+
 TEST(RayCaster, ASceneWithoutGroundIsRefused)
 {
   EXPECT_THROW(RayCaster{Scene{}}, std::invalid_argument);

@@ -7,6 +7,7 @@
 #include <traverse/simulating/recording_file.h>
 #include <traverse/simulating/scene_file.h>
 #include <traverse/simulation/build.h>
+#include <traverse/simulation/ray_caster.h>
 #include <traverse/simulation/truth.h>
 
 #include <algorithm>
@@ -105,6 +106,21 @@ void checkObjects(const simulation::Scene& scene)
   }
 }
 
+/** What memory does not hold. */
+void checkGround(const simulation::Scene& scene)
+{
+  const uint64_t vertices = simulation::groundVertices(scene);
+  if (vertices > simulation::kMostGroundVertices)
+  {
+    throw config::ConfigError(
+        fmt::format(
+            "[Scene]: the ground has {} vertices (every 5 cm where it is sharp, every 25 cm "
+            "elsewhere); allowed: {}, so a smaller area",
+            vertices, simulation::kMostGroundVertices),
+        "Scene");
+  }
+}
+
 simulation::Motion checkedDrive(const SimSettings& settings)
 {
   return asConfiguration(
@@ -157,6 +173,7 @@ SimSettings readSettings(const SimCommand& command)
   settings.scene = asConfiguration([&] { return simulation::buildScene(scene); });
   settings.files = asConfiguration([&] { return filesOf(scene); });
   checkObjects(settings.scene);
+  checkGround(settings.scene);
   scene.drive_xs_m.clear();  // the recording says them
   scene.drive_ys_m.clear();
   settings.text = simulating::sceneText(scene) + simulating::recordingText(settings.recording) +

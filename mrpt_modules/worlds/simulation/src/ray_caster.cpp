@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace traverse::simulation
 {
@@ -29,11 +30,26 @@ uint32_t verticesAlong(double length_m, double mesh_m)
   return static_cast<uint32_t>(std::max(1.0, std::ceil(length_m / mesh_m - 1e-9))) + 1;
 }
 
-void addGround(const Scene& scene, SurfaceSoup& soup)
+/** A piece of the ground and how finely it is meshed. */
+struct Tile
+{
+  Area area;
+  uint32_t across = 0;  //!< vertices
+  uint32_t along = 0;
+};
+
+double tilesAlong(double length_m)
+{
+  return std::ceil(length_m / kTile_m);
+}
+
+/** Calls f(tile) for each; there must be fewer than kMostGroundVertices. */
+template <class F>
+void forEachTile(const Scene& scene, const F& f)
 {
   const Area& all = scene.area;
-  const auto across = static_cast<int>(std::ceil((all.max_x_m - all.min_x_m) / kTile_m));
-  const auto along = static_cast<int>(std::ceil((all.max_y_m - all.min_y_m) / kTile_m));
+  const auto across = static_cast<int>(tilesAlong(all.max_x_m - all.min_x_m));
+  const auto along = static_cast<int>(tilesAlong(all.max_y_m - all.min_y_m));
   for (int j = 0; j < along; ++j)
   {
     for (int i = 0; i < across; ++i)
@@ -43,11 +59,25 @@ void addGround(const Scene& scene, SurfaceSoup& soup)
           std::min(all.max_x_m, all.min_x_m + (i + 1) * kTile_m),
           std::min(all.max_y_m, all.min_y_m + (j + 1) * kTile_m)};
       const double mesh_m = scene.terrain->isSharpIn(tile) ? kFineMesh_m : kCoarseMesh_m;
-      soup.add(
-          *scene.terrain, tile, verticesAlong(tile.max_x_m - tile.min_x_m, mesh_m),
-          verticesAlong(tile.max_y_m - tile.min_y_m, mesh_m));
+      f(Tile{
+          tile, verticesAlong(tile.max_x_m - tile.min_x_m, mesh_m),
+          verticesAlong(tile.max_y_m - tile.min_y_m, mesh_m)});
     }
   }
+}
+
+void addGround(const Scene& scene, SurfaceSoup& soup)
+{
+  const uint64_t vertices = groundVertices(scene);
+  if (vertices > kMostGroundVertices)
+  {
+    throw std::invalid_argument(
+        "a ground of " + std::to_string(vertices) + " vertices; at most " +
+        std::to_string(kMostGroundVertices) + " are possible");
+  }
+  forEachTile(
+      scene,
+      [&](const Tile& tile) { soup.add(*scene.terrain, tile.area, tile.across, tile.along); });
 }
 
 SurfaceSoup standing(const Scene& scene)
@@ -70,6 +100,21 @@ SurfaceSoup standing(const Scene& scene)
   return soup;
 }
 }  // namespace
+
+uint64_t groundVertices(const Scene& scene)
+{
+  const Area& all = scene.area;
+  const double tiles =
+      tilesAlong(all.max_x_m - all.min_x_m) * tilesAlong(all.max_y_m - all.min_y_m);
+  if (!(tiles < static_cast<double>(kMostGroundVertices)))
+  {
+    return 4 * kMostGroundVertices;  // the corners of as many tiles
+  }
+  uint64_t vertices = 0;
+  forEachTile(
+      scene, [&](const Tile& tile) { vertices += uint64_t{tile.across} * uint64_t{tile.along}; });
+  return vertices;
+}
 
 class RayCaster::Impl
 {

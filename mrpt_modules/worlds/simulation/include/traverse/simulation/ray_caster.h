@@ -30,6 +30,13 @@ struct Hit
   bool any() const { return object != Scene::kNoObject; }
 };
 
+/** More vertices of the ground than these are refused: each takes about 100 bytes. */
+inline constexpr uint64_t kMostGroundVertices = 50'000'000;
+
+/** How many vertices the mesh of a scene's ground has, computed without making it; for areas of
+ * more tiles than kMostGroundVertices some number above that. */
+uint64_t groundVertices(const Scene& scene);
+
 /** Casts rays at a scene with Embree: standing things and the ground in one structure, each moving
  * thing in its own, which a ray meets where that is at the ray's own time. Ranges are exact to
  * 1e-5 of the way to the farthest point of the scene's area from its middle (single precision), and
@@ -39,8 +46,9 @@ struct Hit
 class RayCaster
 {
  public:
-  /** Copies what it needs. Throws std::invalid_argument for a scene without ground or with a
-   * triangle of vertices that are not there, std::runtime_error where Embree refuses. */
+  /** Copies what it needs. Throws std::invalid_argument for a scene without ground, with more than
+   * kMostGroundVertices, or with a triangle of vertices that are not there, std::runtime_error
+   * where Embree refuses. */
   explicit RayCaster(const Scene& scene);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
