@@ -271,6 +271,21 @@ TEST_F(TraverseSim, RefusesIniFilesThatAreWrong)
       "[Scene]\nmin_x_m = -2000\nmax_x_m = 2000\nmin_y_m = -2000\nmax_y_m = 2000\n", "50000000");
 }
 
+TEST_F(TraverseSim, TakesSeedsOf64Bits)
+{
+  const std::string program = std::string(TRAVERSE_BINARY_DIR) + "/bin/traverse-sim";
+  const auto checked = [&](const std::string& seed) {
+    return run({program, ini().string(), "--check-config", "--seed", seed});
+  };
+  EXPECT_EQ(checked("18446744073709551615").exit_code, 0);
+  for (const char* seed : {"-1", "99999999999999999999999", "1x", "0x10", "1.5"})
+  {
+    const Finished refused = checked(seed);
+    EXPECT_EQ(refused.exit_code, 2) << seed;
+    EXPECT_NE(refused.err.find("--seed"), std::string::npos) << refused.err;
+  }
+}
+
 TEST_F(TraverseSim, ChecksAConfigurationWithoutWritingAnything)
 {
   const std::string program = std::string(TRAVERSE_BINARY_DIR) + "/bin/traverse-sim";

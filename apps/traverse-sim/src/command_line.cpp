@@ -5,6 +5,10 @@
 #include <traverse/common_app/parse.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <fmt/format.h>
+#include <limits>
+#include <system_error>
 
 #ifndef TRAVERSE_VERSION
 #define TRAVERSE_VERSION "unknown"
@@ -24,11 +28,29 @@ constexpr const char* kFooter =
     "interrupted.\n"
     "doc/simulation.md says what can be simulated, and what DIR holds.";
 
+/** CLI11 takes -1 and what is too large for the largest number, and 010 for 8. */
+uint64_t seedOf(const std::string& text)
+{
+  uint64_t seed = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc{} || stop != text.data() + text.size())
+  {
+    throw CLI::ValidationError(
+        "--seed", fmt::format(
+                      "'{}': allowed: whole numbers from 0 to {}", text,
+                      std::numeric_limits<uint64_t>::max()));
+  }
+  return seed;
+}
+
 void declare(CLI::App& cli, SimCommand& command)
 {
   cli.add_option("SCENE.ini", command.scene, "what there is, what drives, what it records");
   cli.add_option("--output", command.output, "folder to write")->type_name("DIR");
-  cli.add_option("--seed", command.seed, "of all that is random (1)")->type_name("N");
+  cli.add_option_function<std::string>(
+         "--seed", [&](const std::string& text) { command.seed = seedOf(text); },
+         "of all that is random (1)")
+      ->type_name("N");
   cli.add_option("--threads", command.threads, "0: as many as there are processors (0)")
       ->check(CLI::Range(0, 64));
   cli.add_option("--set", command.assignments, "override one key; may be given many times")
