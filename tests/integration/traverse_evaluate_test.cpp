@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <support/scratch_folder.h>
 #include <support/traverse_evaluate.h>
 #include <support/traverse_map.h>
@@ -144,6 +145,22 @@ TEST_F(TraverseEvaluate, TruthOfOtherCellsIsRefused)
   coarse.lattice.cell_mm *= 2;
   writeTruth(truth(), coarse);
   expectRefused("mm");
+}
+
+TEST_F(TraverseEvaluate, OutlinesOfTooManyCornersAreRefused)
+{
+  std::string corners;
+  for (int i = 0; i < 200000; ++i)
+  {
+    const int side = i < 100000 ? 1 : -1;
+    corners += fmt::format("[{},{}],", side * (30 - i % 100000 * 6e-4), side * 30);
+  }
+  formats::writeFile(
+      truth() / "footprints.geojson",
+      R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"object":2,)"
+      R"("height_m":1},"geometry":{"type":"Polygon","coordinates":[[)" +
+          corners + "[30,30]]]}}]}");
+  expectRefused("footprints.geojson");
 }
 
 TEST_F(TraverseEvaluate, TruthOfOtherClassesIsRefused)

@@ -59,12 +59,22 @@ TEST(Departures, OutsideTheWindowAreNotTold)
   EXPECT_TRUE(departuresOf(frames, kMetres, kWindow).empty());
 }
 
+TEST(Departures, OfNoAreaAreNone)
+{
+  EXPECT_TRUE(departuresOf({{0, {Polygon(3, {2.5, 1.5})}}, {1, {}}}, kMetres, kWindow).empty());
+}
+
 TEST(Departures, TakeBoundedTime)
 {
   const geometry::CellRect wide{{0, 0}, {5000, 5000}};
   Polygon detailed(1000, {-1e8, -1e8});
   detailed.push_back({1e8, 1e8});
+  detailed.push_back({1e8, -1e8});
   EXPECT_THROW(departuresOf({{0, {detailed}}}, kMetres, wide), std::length_error);
+  // not too many edges to look at, but too many cells to keep as well
+  const Polygon all = {{-1e4, -1e4}, {0, -1e4}, {1e4, -1e4}, {1e4, 0},
+                       {1e4, 1e4},   {0, 1e4},  {-1e4, 1e4}};
+  EXPECT_THROW(departuresOf({{0, {all}}}, kMetres, wide), std::length_error);
 }
 
 TEST(Departures, TimesMustGrow)

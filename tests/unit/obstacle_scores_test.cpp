@@ -144,6 +144,42 @@ TEST(Outlines, HugeThingsAreMeasuredNotCounted)
   EXPECT_NEAR(s.things[0].area_error_m2, 2e6 - 0.08, 1);
 }
 
+TEST(Outlines, TakeBoundedTime)
+{
+  Polygon detailed;
+  constexpr int kCorners = 200000;
+  detailed.reserve(2 * kCorners);
+  for (int i = 0; i < kCorners; ++i)
+  {
+    detailed.emplace_back(i * 1e-3, 0);
+  }
+  for (int i = kCorners; i > 0; --i)
+  {
+    detailed.emplace_back(i * 1e-3, 20);
+  }
+  EXPECT_THROW(
+      outlineScores(drawnClasses(Drawn(50, std::string(50, '4'))), {{2, {detailed}}}),
+      std::length_error);
+  Polygon far(2000, {0, 0});  // to a far place and back, again and again
+  for (size_t i = 0; i < far.size(); i += 2)
+  {
+    far[i] = {1e7, static_cast<double>(i)};
+  }
+  far.emplace_back(0, 1e4);
+  EXPECT_THROW(
+      outlineScores(drawnClasses(Drawn(50, std::string(50, '4'))), {{2, {far}}}),
+      std::length_error);
+}
+
+TEST(Outlines, OfNoAreaAreNoThings)
+{
+  const OutlineScores s = outlineScores(
+      drawnClasses({"4"}), {{2, {Polygon(3, {0.1, 0.1})}}, {3, {rectangle(0, 0, 5, 0)}}});
+  EXPECT_TRUE(s.things.empty());
+  EXPECT_TRUE(s.not_found.empty());
+  EXPECT_EQ(s.foreign_clusters, 1U);
+}
+
 TEST(Outlines, NothingGivesNothing)
 {
   EXPECT_TRUE(outlineScores(drawnClasses({"11"}), {}).things.empty());

@@ -51,6 +51,20 @@ std::vector<evaluation::TrueOutline> withReturns(
   return some;
 }
 
+/** As outlineScores(); what is too much for it is a fault of the truth. */
+evaluation::OutlineScores outlinesOf(
+    const layers::LayerSet& map, const std::vector<evaluation::TrueOutline>& outlines)
+{
+  try
+  {
+    return evaluation::outlineScores(map, outlines);
+  }
+  catch (const std::length_error& e)
+  {
+    throw formats::FormatError(fmt::format("'footprints.geojson': {}", e.what()));
+  }
+}
+
 void compare(
     MapScores& scores,
     const layers::LayerSet& map,
@@ -66,8 +80,7 @@ void compare(
   scores.confusion = evaluation::confusionOf(map, truth.layers, params);
   scores.obstacles = evaluation::obstacleScore(map, truth.layers, params);
   scores.states = evaluation::stateAgreement(map, truth.layers, params);
-  scores.outlines =
-      evaluation::outlineScores(map, withReturns(truth.outlines, scores.obstacles.seen));
+  scores.outlines = outlinesOf(map, withReturns(truth.outlines, scores.obstacles.seen));
   scores.verdicts = evaluation::verdicts(map, truth.layers, params);
   if (scores.confusion.total() == 0)
   {

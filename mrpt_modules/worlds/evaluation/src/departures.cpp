@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "polygons.h"
+
 #include <traverse/evaluation/cells.h>
 #include <traverse/evaluation/departures.h>
 
@@ -16,8 +18,20 @@ namespace
 {
 using Cell = std::pair<int32_t, int32_t>;
 
-/** Whoever wrote the outlines, what is computed has an end: edges looked at. */
-constexpr uint64_t kMostWork = 2'000'000'000;
+/** Whoever wrote the outlines, what is computed has an end: edges looked at and cells kept. */
+constexpr uint64_t kMostWork = 200'000'000;
+
+/** To keep a cell in a set takes as long as some edges do. */
+constexpr uint64_t kWorkOfCell = 10;
+
+void spend(uint64_t& work, uint64_t more)
+{
+  work += more;
+  if (work > kMostWork)
+  {
+    throw std::length_error("outlines of moving things that are too large or too many");
+  }
+}
 
 /** The cells of the window around a polygon; limits first, so that nothing overflows. */
 geometry::CellRect cellsAround(
@@ -54,23 +68,21 @@ std::set<Cell> coveredBy(
   std::set<Cell> covered;
   for (const Polygon& polygon : frame.outlines)
   {
-    if (polygon.size() < 3)
+    if (!isUsable(polygon))
     {
       continue;
     }
     const geometry::CellRect around = cellsAround(polygon, lattice, window);
-    work += static_cast<uint64_t>(std::max(around.width(), 0)) *
-            static_cast<uint64_t>(std::max(around.height(), 0)) * polygon.size();
-    if (work > kMostWork)
-    {
-      throw std::length_error("outlines of moving things that are too large or too many");
-    }
+    spend(
+        work, static_cast<uint64_t>(std::max(around.width(), 0)) *
+                  static_cast<uint64_t>(std::max(around.height(), 0)) * polygon.size());
     forEachCell(
         around,
         [&](geometry::CellIndex c)
         {
           if (distanceTo(polygon, {lattice.centre_m(c.x), lattice.centre_m(c.y)}) <= reach_m)
           {
+            spend(work, kWorkOfCell);
             covered.emplace(c.x, c.y);
           }
         });

@@ -10,12 +10,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace traverse::evaluation
 {
 namespace
 {
 constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/** Whoever wrote the outlines, what is computed has an end: cells x corners, and x places. */
+constexpr uint64_t kMostWork = 200'000'000;
+
+uint64_t cornersOf(const TrueOutline& outline)
+{
+  uint64_t corners = 0;
+  for (const Polygon& polygon : outline.polygons)
+  {
+    corners += polygon.size();
+  }
+  return corners;
+}
 
 class Matching
 {
@@ -56,7 +70,7 @@ class Matching
     return !touched.empty();
   }
 
-  OutlineScores take() const
+  OutlineScores take()
   {
     OutlineScores scores;
     for (size_t i = 0; i < outlines_.size(); ++i)
@@ -82,31 +96,46 @@ class Matching
     return {lattice_.centre_m(c.x), lattice_.centre_m(c.y)};
   }
 
-  double distance(size_t i, geometry::CellIndex c, double if_below) const
+  void spend(uint64_t work)
   {
-    const Eigen::Vector2d place = middle(c);
-    return boxes_[i].distanceTo(place) > if_below ? kFar : distanceToAny(outlines_[i], place);
+    work_ += work;
+    if (work_ > kMostWork)
+    {
+      throw std::length_error("outlines that are too large, too detailed or too many");
+    }
   }
 
-  OutlineScore scoreOf(
-      const TrueOutline& outline, const std::vector<geometry::CellIndex>& cells) const
+  double distance(size_t i, geometry::CellIndex c, double if_below)
+  {
+    return boxes_[i].distanceTo(middle(c)) > if_below ? kFar : distanceTo(outlines_[i], c);
+  }
+
+  double distanceTo(const TrueOutline& outline, geometry::CellIndex c)
+  {
+    spend(cornersOf(outline));
+    return distanceToAny(outline, middle(c));
+  }
+
+  OutlineScore scoreOf(const TrueOutline& outline, const std::vector<geometry::CellIndex>& cells)
   {
     const double cell_m2 = lattice_.cell_m() * lattice_.cell_m();
     OutlineScore score;
     score.object = outline.object;
-    const std::vector<Eigen::Vector2d> edge = edgePlaces(outline, lattice_.cell_m() / 2);
     const double true_cells = cellsWithin(outline);
     double both = 0;
     for (const geometry::CellIndex c : cells)
     {
-      const double d = distanceToAny(outline, middle(c));
+      const double d = distanceTo(outline, c);
       both += d == 0 ? 1 : 0;
       score.hausdorff_m = std::max(score.hausdorff_m, d);
     }
-    for (const Eigen::Vector2d& place : edge)
-    {
-      score.hausdorff_m = std::max(score.hausdorff_m, nearestOf(cells, place));
-    }
+    forEachEdgePlace(
+        outline, lattice_.cell_m() / 2,
+        [&](const Eigen::Vector2d& place)
+        {
+          spend(cells.size());
+          score.hausdorff_m = std::max(score.hausdorff_m, nearestOf(cells, place));
+        });
     // pieces may overlap: then cells tell the area of all together
     score.true_area_m2 = outline.polygons.size() == 1 ? areaOf(outline) : true_cells * cell_m2;
     const auto found = static_cast<double>(cells.size());
@@ -131,7 +160,7 @@ class Matching
   }
 
   /** Cells of which the middle lies within. */
-  double cellsWithin(const TrueOutline& outline) const
+  double cellsWithin(const TrueOutline& outline)
   {
     constexpr double kMostCells = 4e6;  // of larger ones nobody looks at each
     const Box box = boxOf(outline);
@@ -147,7 +176,7 @@ class Matching
     double count = 0;
     forEachCell(
         {index(box.min), {last.x + 1, last.y + 1}},
-        [&](geometry::CellIndex c) { count += distanceToAny(outline, middle(c)) == 0 ? 1 : 0; });
+        [&](geometry::CellIndex c) { count += distanceTo(outline, c) == 0 ? 1 : 0; });
     return count;
   }
 
@@ -155,6 +184,7 @@ class Matching
   const std::vector<TrueOutline>& outlines_;
   std::vector<Box> boxes_;
   std::vector<std::vector<geometry::CellIndex>> cells_of_;
+  uint64_t work_ = 0;
 };
 
 std::vector<TrueOutline> usable(const std::vector<TrueOutline>& outlines)
@@ -162,7 +192,7 @@ std::vector<TrueOutline> usable(const std::vector<TrueOutline>& outlines)
   std::vector<TrueOutline> all;
   for (TrueOutline outline : outlines)
   {
-    std::erase_if(outline.polygons, [](const Polygon& p) { return p.size() < 3; });
+    std::erase_if(outline.polygons, [](const Polygon& p) { return !isUsable(p); });
     if (!outline.polygons.empty())
     {
       all.push_back(std::move(outline));

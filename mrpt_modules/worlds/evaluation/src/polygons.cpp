@@ -81,24 +81,8 @@ Box boxOf(const TrueOutline& outline)
   return box;
 }
 
-std::vector<Eigen::Vector2d> edgePlaces(const TrueOutline& outline, double step_m)
+bool isUsable(const Polygon& polygon)
 {
-  constexpr double kMostPlaces = 10000;
-  std::vector<Eigen::Vector2d> places;
-  for (const Polygon& polygon : outline.polygons)
-  {
-    for (size_t i = 0; i < polygon.size(); ++i)
-    {
-      const Eigen::Vector2d& from = polygon[i];
-      const Eigen::Vector2d way = polygon[(i + 1) % polygon.size()] - from;
-      const int steps =
-          static_cast<int>(std::clamp(std::ceil(way.norm() / step_m), 1.0, kMostPlaces));
-      for (int k = 0; k < steps; ++k)
-      {
-        places.emplace_back(from + way * k / steps);
-      }
-    }
-  }
-  return places;
+  return polygon.size() >= 3 && areaOf(polygon) > 0;
 }
 }  // namespace traverse::evaluation

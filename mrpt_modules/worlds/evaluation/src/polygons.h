@@ -4,6 +4,8 @@
 
 #include <traverse/evaluation/outlines.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -29,6 +31,27 @@ double distanceToAny(const TrueOutline& outline, const Eigen::Vector2d& place);
 /** Sum over the polygons. */
 double areaOf(const TrueOutline& outline);
 
-/** Places along the polygons' edges, at most a step apart (or 10000 an edge). */
-std::vector<Eigen::Vector2d> edgePlaces(const TrueOutline& outline, double step_m);
+/** Three corners and an area: to distanceTo() all the world lies within others. */
+bool isUsable(const Polygon& polygon);
+
+/** Calls f(place) along the polygons' edges, at most a step apart (or 10000 an edge). */
+template <class F>
+void forEachEdgePlace(const TrueOutline& outline, double step_m, const F& f)
+{
+  constexpr double kMostPlaces = 10000;
+  for (const Polygon& polygon : outline.polygons)
+  {
+    for (size_t i = 0; i < polygon.size(); ++i)
+    {
+      const Eigen::Vector2d& from = polygon[i];
+      const Eigen::Vector2d way = polygon[(i + 1) % polygon.size()] - from;
+      const int steps =
+          static_cast<int>(std::clamp(std::ceil(way.norm() / step_m), 1.0, kMostPlaces));
+      for (int k = 0; k < steps; ++k)
+      {
+        f(Eigen::Vector2d(from + way * k / steps));
+      }
+    }
+  }
+}
 }  // namespace traverse::evaluation

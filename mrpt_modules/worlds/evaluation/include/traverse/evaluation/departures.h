@@ -13,7 +13,7 @@ namespace traverse::evaluation
 struct MovingFrame
 {
   double time_s = 0;
-  std::vector<Polygon> outlines;  //!< convex
+  std::vector<Polygon> outlines;  //!< convex; those of no area are left out
 };
 
 /** When cells of the window are left, and when something comes there again. A cell is covered where

@@ -42,7 +42,8 @@ struct OutlineScores
 
 /** Clusters of obstacle cells of the map against outlines. Each cell of a cluster belongs to the
  * nearest thing that the cluster touches (within one cell). Polygons of fewer than three corners
- * are left out. Throws std::invalid_argument where the map has no class layer. */
+ * or of no area are left out. Throws std::invalid_argument where the map has no class layer, and
+ * std::length_error for outlines that are too large, too detailed or too many to go through. */
 OutlineScores outlineScores(const layers::LayerSet& map, const std::vector<TrueOutline>& outlines);
 
 /** Distance of a place from a convex polygon, m; 0 within. */
