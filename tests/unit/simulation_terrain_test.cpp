@@ -281,4 +281,23 @@ TEST(Raster, RefusesHeightsThatNoGroundHas)
   }
 }
 
+TEST(Raster, OfPointsHasAMillionNodes)
+{
+  TerrainParams raster = terrainOf(TerrainKind::raster);
+  raster.file = "missing.csv";
+  raster.spacing_m = 0.1;
+  SceneParams scene = sceneWith({raster});
+  scene.extent = {};
+  scene.extent.min_x_m = scene.extent.min_y_m = -60;
+  scene.extent.max_x_m = scene.extent.max_y_m = 60;  // 1201 x 1201
+  try
+  {
+    buildTerrain(scene);
+    ADD_FAILURE();
+  }
+  catch (const std::runtime_error& e)
+  {
+    EXPECT_NE(std::string(e.what()).find("spacing_m"), std::string::npos) << e.what();
+  }
+}
 }  // namespace

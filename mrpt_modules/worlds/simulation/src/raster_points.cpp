@@ -18,7 +18,7 @@ namespace
 {
 constexpr double kBucket_m = 5;
 constexpr int kMostRings = 40;
-constexpr size_t kMostNodes = 16U << 20U;
+constexpr size_t kMostNodes = 1'000'000;
 constexpr size_t kNearest = 6;
 
 struct GroundPoint
@@ -117,7 +117,7 @@ Raster pointRaster(const TerrainParams& params, const SceneParams& scene)
   const double across_y = std::ceil((e.max_y_m - e.min_y_m) / params.spacing_m) + 1;
   if (across_x * across_y > static_cast<double>(kMostNodes))
   {
-    refuse("spacing_m", params.spacing_m, "at most 16 million nodes on the scene's area");
+    refuse("spacing_m", params.spacing_m, "at most 1 million nodes on the scene's area");
   }
   raster.columns = static_cast<size_t>(across_x);
   raster.rows = static_cast<size_t>(across_y);
