@@ -57,12 +57,18 @@ class MapOfRun
   traversability_grid::State state_;
 };
 
+uint8_t lazyClass(float span_m)
+{
+  const std::array<float, 3> limits_m = {0.06F, 0.12F, 0.30F};
+  const auto is_above = [span_m](float limit_m) { return span_m > limit_m; };
+  return static_cast<uint8_t>(1 + std::count_if(limits_m.begin(), limits_m.end(), is_above));
+}
+
 /** What needs no method: the class that the span of heights in a cell suggests. */
 layers::LayerSet lazyMap(layers::LayerSet map)
 {
   const auto& low = std::get<std::vector<float>>(map.find("height_min")->data);
   const auto& high = std::get<std::vector<float>>(map.find("height_max")->data);
-  const std::array<float, 3> limits = {0.06F, 0.12F, 0.30F};
   for (layers::Layer& layer : map.layers)
   {
     if (layer.name == map.class_layer)
@@ -70,9 +76,7 @@ layers::LayerSet lazyMap(layers::LayerSet map)
       auto& classes = std::get<std::vector<uint8_t>>(layer.data);
       for (size_t i = 0; i < classes.size(); ++i)
       {
-        const float span = high[i] - low[i];
-        classes[i] = static_cast<uint8_t>(
-            1 + std::count_if(limits.begin(), limits.end(), [&](float l) { return span > l; }));
+        classes[i] = lazyClass(high[i] - low[i]);
       }
     }
   }
