@@ -34,7 +34,7 @@ TEST(Random, UniformNumbersFillTheirInterval)
   }
   for (const int n : bins)
   {
-    EXPECT_NEAR(n, kDraws / 10, 5 * 95);  // five standard deviations
+    EXPECT_NEAR(n, kDraws / 10.0, 5 * 95);  // five standard deviations
   }
 }
 

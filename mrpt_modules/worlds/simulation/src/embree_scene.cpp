@@ -135,7 +135,7 @@ bool EmbreeScene::cast(
   ray.ray.mask = ~0U;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene_.get(), &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID)
