@@ -86,7 +86,15 @@ double Paper3::openSide(Random& random) const
   return kerb_side_ != 0 ? -kerb_side_ : any;
 }
 
-bool Paper3::findPlace(double radius_m, double farthest_m, Random& random, ObjectParams& thing)
+void Paper3::put(ObjectParams thing, const Eigen::Vector2d& at, Random& random)
+{
+  thing.x_m = inMillimetres(at.x());
+  thing.y_m = inMillimetres(at.y());
+  thing.seed = seedOf(random);
+  scene_.objects.push_back(std::move(thing));
+}
+
+void Paper3::putSomewhere(ObjectParams thing, double radius_m, double farthest_m, Random& random)
 {
   constexpr int kTries = 60;
   constexpr double kAlong_m = 26;
@@ -99,13 +107,10 @@ bool Paper3::findPlace(double radius_m, double farthest_m, Random& random, Objec
     if (plot_.isFree({at, radius_m}, half_road_m_ + 0.2))
     {
       plot_.take({at, radius_m});
-      thing.x_m = inMillimetres(at.x());
-      thing.y_m = inMillimetres(at.y());
-      thing.seed = seedOf(random);
-      return true;
+      put(std::move(thing), at, random);
+      return;
     }
   }
-  return false;
 }
 
 void Paper3::follow(TerrainParams& strip, double from_m, double to_m, double left_m) const

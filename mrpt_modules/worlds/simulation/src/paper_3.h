@@ -46,7 +46,7 @@ class Paper3
   void addThings();
   void addBuildings();
   void addFencesAndWalls();
-  bool addLongThing(ObjectParams thing, Random& random);
+  void addLongThing(ObjectParams thing, Random& random);
   void addTrees();
   bool addOverhang(bool low, Random& random);
   bool addTree(ObjectParams tree, double along_m, double left_m, Random& random);
@@ -61,8 +61,11 @@ class Paper3
   void addParkedVehicles();
   void addPeople();
 
-  /** A place beside the road for something of that radius; false where none was found. */
-  bool findPlace(double radius_m, double farthest_m, Random& random, ObjectParams& thing);
+  /** Adds the thing there, with a seed of its own. */
+  void put(ObjectParams thing, const Eigen::Vector2d& at, Random& random);
+
+  /** Adds something of that radius at a free place beside the road, where one is found. */
+  void putSomewhere(ObjectParams thing, double radius_m, double farthest_m, Random& random);
 
   /** Takes the corners over, rounded. */
   void follow(TerrainParams& strip, double from_m, double to_m, double left_m) const;

@@ -107,10 +107,7 @@ void Paper3::addPeople()
     if (random.chance(0.25))
     {
       p.yaw_deg = rounded(random, -180, 180);
-      if (findPlace(kPerson_m, 6, random, p))
-      {
-        scene_.objects.push_back(p);
-      }
+      putSomewhere(p, kPerson_m, 6, random);
       continue;
     }
     for (int attempt = 0; attempt < 60; ++attempt)

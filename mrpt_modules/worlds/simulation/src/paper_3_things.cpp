@@ -60,14 +60,11 @@ void Paper3::addBuildings()
     p.yaw_deg = rounded(random, -180, 180);
     p.material = choose(random.chance(0.5) ? Material::brick : Material::wood);
     const double radius = std::sqrt(p.length_m * p.length_m + p.width_m * p.width_m) / 2 + 0.5;
-    if (findPlace(radius, 8, random, p))
-    {
-      scene_.objects.push_back(p);
-    }
+    putSomewhere(p, radius, 8, random);
   }
 }
 
-bool Paper3::addLongThing(ObjectParams thing, Random& random)
+void Paper3::addLongThing(ObjectParams thing, Random& random)
 {
   constexpr int kTries = 60;
   for (int i = 0; i < kTries; ++i)
@@ -84,15 +81,11 @@ bool Paper3::addLongThing(ObjectParams thing, Random& random)
     if (plot_.areFree(discs, half_road_m_ + 0.2))
     {
       plot_.take(discs);
-      thing.x_m = inMillimetres(at.x());
-      thing.y_m = inMillimetres(at.y());
       thing.yaw_deg = inMillimetres(yaw);
-      thing.seed = seedOf(random);
-      scene_.objects.push_back(thing);
-      return true;
+      put(std::move(thing), at, random);
+      return;
     }
   }
-  return false;
 }
 
 void Paper3::addFencesAndWalls()
@@ -139,10 +132,7 @@ bool Paper3::addTree(ObjectParams tree, double along_m, double left_m, Random& r
     return false;
   }
   plot_.take({at, radius});
-  tree.x_m = inMillimetres(at.x());
-  tree.y_m = inMillimetres(at.y());
-  tree.seed = seedOf(random);
-  scene_.objects.push_back(tree);
+  put(std::move(tree), at, random);
   return true;
 }
 
@@ -202,10 +192,7 @@ void Paper3::addBushes()
     p.height_m = rounded(random, 0.4, 1.9);
     // as dense for each size
     p.count = 150 + static_cast<int>(450 * p.width_m * p.width_m * p.height_m);
-    if (findPlace(p.width_m / 2 + 0.1, 10, random, p))
-    {
-      scene_.objects.push_back(p);
-    }
+    putSomewhere(p, p.width_m / 2 + 0.1, 10, random);
   }
 }
 
@@ -219,10 +206,7 @@ void Paper3::addPoles()
     p.radius_m = rounded(random, 0.025, 0.14);
     p.height_m = rounded(random, 0.7, 6);
     p.material = choose(random.chance(0.5) ? Material::metal : Material::wood);
-    if (findPlace(p.radius_m, 4, random, p))
-    {
-      scene_.objects.push_back(p);
-    }
+    putSomewhere(p, p.radius_m, 4, random);
   }
 }
 
@@ -240,10 +224,7 @@ void Paper3::addStones()
     p.height_m = rounded(random, 0.3, 1.2);
     p.radius_m = rounded(random, 0.15, 0.6);
     p.yaw_deg = rounded(random, -180, 180);
-    if (findPlace(1, 8, random, p))
-    {
-      scene_.objects.push_back(p);
-    }
+    putSomewhere(p, 1, 8, random);
   }
 }
 
@@ -265,11 +246,8 @@ void Paper3::addLumps()
     const double most = i < 2 ? 1.5 : 14;
     const double off = kDriveFree_m + 0.4 + p.width_m / 2 + random.uniform(0, most);
     const Eigen::Vector2d at = way_.place(along, (i % 2 == 0 ? 1 : -1) * off);
-    p.x_m = inMillimetres(at.x());
-    p.y_m = inMillimetres(at.y());
     p.yaw_deg = inMillimetres(way_.yawDeg(along));
-    p.seed = seedOf(random);
-    scene_.objects.push_back(p);
+    put(p, at, random);
   }
 }
 
@@ -288,11 +266,8 @@ void Paper3::addGrass()
     const double share = random.uniform();
     const double off = half_road_m_ + 0.2 + p.width_m / 2 + share * share * 8;
     const Eigen::Vector2d at = way_.place(along, random.chance(0.5) ? off : -off);
-    p.x_m = inMillimetres(at.x());
-    p.y_m = inMillimetres(at.y());
     p.yaw_deg = inMillimetres(way_.yawDeg(along));
-    p.seed = seedOf(random);
-    scene_.objects.push_back(p);
+    put(p, at, random);
   }
 }
 }  // namespace traverse::simulation
