@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "relief.h"
 
+#include "flat_support.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace traverse::ground
 {
@@ -22,8 +23,6 @@ constexpr float kUnseenShare = 0.5F;
 /** A flat surface of fewer points that has others of its height around it may be a pavement of
  * which little was seen: it says nothing. */
 constexpr uint32_t kFewPoints = 6;
-constexpr int kSupport = 2;
-constexpr float kSupportShare = 0.3F;
 constexpr float kRaised_m = 0.02F;
 constexpr float kSameShare = 0.3F;  // of the relief
 
@@ -104,9 +103,12 @@ void Relief::finish(const PatchGrid& grid, std::vector<Verdict>& verdicts)
 {
   for (const Raised& raised : raised_)
   {
-    if (isSupported(grid, raised))
+    float& relief_m = shapes_[raised.column].relief_m;
+    const float same_m = std::max(kRaised_m, kSameShare * relief_m) + raised.tilt_m;
+    const PlacedColumn& column = grid.columns()[raised.column];
+    if (isSupported(grid, raised.patch, column, {raised.most_span_m, same_m}))
     {
-      shapes_[raised.column].relief_m = 0;
+      relief_m = 0;
     }
   }
   for (const PatchGrid::Block& block : grid.blocks())
@@ -116,25 +118,6 @@ void Relief::finish(const PatchGrid& grid, std::vector<Verdict>& verdicts)
       amongOthers(grid, block.patch, i, verdicts[grid.columns()[i].number]);
     }
   }
-}
-
-bool Relief::isSupported(const PatchGrid& grid, const Raised& raised) const
-{
-  const PlacedColumn& column = grid.columns()[raised.column];
-  const float same_m = std::max(kRaised_m, kSameShare * shapes_[raised.column].relief_m);
-  int all = -1;  // not the column itself
-  int same = -1;
-  grid.forEachAround(
-      raised.patch, column,
-      [&](size_t k)
-      {
-        const PlacedColumn& other = grid.columns()[k];
-        ++all;
-        same += static_cast<int>(
-            other.span_m() <= raised.most_span_m &&
-            std::abs(other.mean_m - column.mean_m) < same_m + raised.tilt_m);
-      });
-  return same >= kSupport && static_cast<float>(same) >= kSupportShare * static_cast<float>(all);
 }
 
 void Relief::amongOthers(const PatchGrid& grid, int32_t patch, size_t i, Verdict& verdict) const

@@ -58,7 +58,6 @@ class Relief
     float tilt_m = 0;
   };
 
-  bool isSupported(const PatchGrid& grid, const Raised& raised) const;
   void amongOthers(const PatchGrid& grid, int32_t patch, size_t i, Verdict& verdict) const;
 
   std::vector<Shape> shapes_;  // by column of the grid

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfaces.h"
 
+#include "flat_support.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,11 +20,9 @@ constexpr float kLeastWeight = 1e-9F;
 /** A column further below the patches is a hole or a false return. */
 constexpr float kBelow_m = 0.30F;
 
-/** A surface this much above the patches needs neighbours at its height to be ground: so many of
- * them and such a share of all, within so much. */
+/** A surface this much above the patches needs neighbours at its height, within so much, to be
+ * ground. */
 constexpr float kRaised_m = 0.08F;
-constexpr int kSupport = 2;
-constexpr float kSupportShare = 0.3F;
 constexpr float kSame_m = 0.06F;
 
 /** All points of a flat column are ground. */
@@ -139,25 +139,6 @@ float tiltOf(const Patch& patch, float cell_m)
   return tilt(patch.slopeX()) + tilt(patch.slopeY());
 }
 
-/** Whether enough of the columns around have the height of this one and are as flat. */
-bool isSupported(
-    const PatchGrid& grid, int32_t patch, const PlacedColumn& column, float most_span_m, float tilt)
-{
-  int all = -1;  // not the column itself
-  int same = -1;
-  grid.forEachAround(
-      patch, column,
-      [&](size_t i)
-      {
-        const PlacedColumn& other = grid.columns()[i];
-        ++all;
-        same += static_cast<int>(
-            other.span_m() <= most_span_m &&
-            std::abs(other.mean_m - column.mean_m) < kSame_m + tilt);
-      });
-  return same >= kSupport && static_cast<float>(same) >= kSupportShare * static_cast<float>(all);
-}
-
 /** A column with more than ground in it: its points are ground up to just above the highest flat
  * column beside it. */
 float limitOfRough(
@@ -209,7 +190,7 @@ void Surfaces::judge(const PatchGrid& grid, const Params& params, std::vector<Ve
       bool is_flat = (c.span_m() <= most_span) & (over < over_patch) & (over > -kBelow_m);
       if (is_flat && over >= kRaised_m)
       {
-        is_flat = isSupported(grid, block.patch, c, most_span, tilt);
+        is_flat = isSupported(grid, block.patch, c, {most_span, kSame_m + tilt});
       }
       const bool may_bear = c.low_m - ground <= over_patch;
       const float limit = c.mean_m + kOverMean_m + tilt;
