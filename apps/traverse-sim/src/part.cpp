@@ -5,6 +5,7 @@
 #include <traverse/common_app/interrupt.h>
 #include <traverse/formats/bytes.h>
 #include <traverse/formats/gzip.h>
+#include <traverse/observations/serialised.h>
 #include <traverse/simulating/observations.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ uint32_t labelOf(const simulation::ReturnTruth& truth)
 Made madeOf(const Event& event, const simulation::RecordingParams& params)
 {
   Made made;
-  made.log = simulating::serialised(*simulating::toObservation(event, params));
+  made.log = observations::serialised(*simulating::toObservation(event, params));
   if (const auto* turn = std::get_if<LidarTurn>(&event))
   {
     made.is_turn = true;

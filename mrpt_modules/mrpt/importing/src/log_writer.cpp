@@ -5,11 +5,10 @@
 #include <traverse/formats/streamed_file.h>
 #include <traverse/importing/log_writer.h>
 #include <traverse/observations/convert.h>
+#include <traverse/observations/serialised.h>
 
-#include <mrpt/io/CMemoryStream.h>
 #include <mrpt/maps/CPointsMap.h>
 #include <mrpt/obs/CObservationPointCloud.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include <optional>
 
@@ -17,16 +16,6 @@ namespace traverse::importing
 {
 namespace
 {
-/** In memory: MRPT's file streams hide a full disk. */
-std::string serialised(const mrpt::obs::CObservation& observation)
-{
-  mrpt::io::CMemoryStream stream;
-  mrpt::serialization::archiveFrom(stream) << observation;
-  return {
-      static_cast<const char*>(stream.getRawBufferData()),
-      static_cast<size_t>(stream.getTotalBytesCount())};
-}
-
 formats::CloudKey keyOf(const mrpt::obs::CObservationPointCloud& cloud)
 {
   const auto& x = cloud.pointcloud->getPointsBufferRef_x();
@@ -83,7 +72,7 @@ void LogWriter::add(const Entry& entry)
     }
     state_->channels->add(keyOf(*cloud), entry.channels);
   }
-  state_->file.write(state_->gzip.add(serialised(*entry.observation)));
+  state_->file.write(state_->gzip.add(observations::serialised(*entry.observation)));
 }
 
 bool LogWriter::hasChannels() const

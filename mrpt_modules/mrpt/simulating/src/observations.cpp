@@ -5,11 +5,9 @@
 #include <traverse/sensors/velodyne_timing.h>
 #include <traverse/simulating/observations.h>
 
-#include <mrpt/io/CMemoryStream.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include <cmath>
 #include <cstring>
@@ -110,14 +108,5 @@ mrpt::obs::CObservation::Ptr toObservation(
         return observation;
       },
       event);
-}
-
-std::string serialised(const mrpt::obs::CObservation& observation)
-{
-  mrpt::io::CMemoryStream stream;
-  mrpt::serialization::archiveFrom(stream) << observation;
-  return {
-      static_cast<const char*>(stream.getRawBufferData()),
-      static_cast<size_t>(stream.getTotalBytesCount())};
 }
 }  // namespace traverse::simulating

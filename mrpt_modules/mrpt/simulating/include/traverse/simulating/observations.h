@@ -6,8 +6,6 @@
 
 #include <mrpt/obs/CObservation.h>
 
-#include <string>
-
 namespace traverse::simulating
 {
 /** What a driver would have logged: CObservationVelodyneScan (with the manufacturer's calibration),
@@ -15,7 +13,4 @@ namespace traverse::simulating
  * turn's originalReceivedTimestamp is its arrival. */
 mrpt::obs::CObservation::Ptr toObservation(
     const simulation::Event& event, const simulation::RecordingParams& params);
-
-/** Its bytes in a rawlog. */
-std::string serialised(const mrpt::obs::CObservation& observation);
 }  // namespace traverse::simulating
