@@ -45,6 +45,13 @@ TEST(RecordingFile, SaysEverything)
   EXPECT_EQ(simulating::readRecording(ini), params);
 }
 
+TEST(RecordingFile, RefusesToWriteATextThatAnIniWouldGiveBackOtherwise)
+{
+  RecordingParams params;
+  params.lidars[0].label = "ROOF//LEFT";  // the rest of the line would be a comment
+  EXPECT_THROW(simulating::recordingText(params), config::ConfigError);
+}
+
 TEST(RecordingFile, WithoutSectionsIsOneHdl32e)
 {
   const auto ini = config::IniDocument::fromText("", "text");

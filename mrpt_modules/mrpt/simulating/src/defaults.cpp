@@ -38,7 +38,9 @@ std::string defaultsText()
          section("What the seed adds.", "Random", simulation::RandomSceneParams()) +
          section("What drives.", "Vehicle", recording.vehicle) +
          section("Where it drives.", "Drive", recording.drive) +
-         section("A lidar; more as [Lidar_01] ...", lidarSection(0), recording.lidars.front()) +
+         section(
+             "A lidar; more as [Lidar_01] ...", simulation::numberedSection("Lidar_", 0),
+             recording.lidars.front()) +
          section("Poses.", "Ins", recording.ins) +
          section("Poses that drift.", "Odometry", recording.odometry) +
          section("The truth about places.", "Truth", TruthSection());

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ini_sections.h"
+
 #include <traverse/config/strict.h>
 #include <traverse/simulating/scene_file.h>
-
-#include <algorithm>
-#include <charconv>
-#include <fmt/format.h>
 
 namespace traverse::simulating
 {
@@ -19,63 +17,13 @@ using simulation::SceneParams;
 const options::Option kDriveXs{"xs_m", "corners of the vehicle's way: x, m", {-1e5, 1e5}};
 const options::Option kDriveYs{"ys_m", "the same corners' y, m", {-1e5, 1e5}};
 
-bool beginsWith(const std::string& section, std::string_view prefix)
-{
-  return section.size() >= prefix.size() &&
-         config::sameName(std::string_view(section).substr(0, prefix.size()), prefix);
-}
-
-std::string placeOf(const config::IniDocument& ini, const std::string& section)
-{
-  const auto entry = std::find_if(
-      ini.entries().begin(), ini.entries().end(),
-      [&](const config::Entry& e) { return config::sameName(e.section, section); });
-  return entry == ini.entries().end() ? "" : entry->place + ": ";
-}
-
-/** "Object_07" is 7; throws where there is no whole number behind the prefix. */
-size_t numberOf(const config::IniDocument& ini, const std::string& section, std::string_view prefix)
-{
-  const std::string_view digits = std::string_view(section).substr(prefix.size());
-  size_t number = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const bool whole = error == std::errc{} && stop == digits.data() + digits.size();
-  if (!whole || !config::sameName(section, numberedSection(std::string(prefix), number)))
-  {
-    throw ConfigError(
-        placeOf(ini, section) + "section [" + section +
-            "]: allowed: " + numberedSection(std::string(prefix), 0) + ", " +
-            numberedSection(std::string(prefix), 1) + " ...",
-        section);
-  }
-  return number;
-}
-
-/** All [prefixNN], which must be numbered 00, 01 ... */
 template <class P>
-std::vector<P> readNumbered(const config::IniDocument& ini, std::string_view prefix)
+std::vector<P> readNumbered(const config::IniDocument& ini, const std::string& prefix)
 {
-  std::vector<size_t> numbers;
-  for (const std::string& section : ini.sections())
+  std::vector<P> all(countNumbered(ini, prefix));
+  for (size_t i = 0; i < all.size(); ++i)
   {
-    if (beginsWith(section, prefix))
-    {
-      numbers.push_back(numberOf(ini, section, prefix));
-    }
-  }
-  std::sort(numbers.begin(), numbers.end());
-  std::vector<P> all(numbers.size());
-  for (size_t i = 0; i < numbers.size(); ++i)
-  {
-    const std::string section = numberedSection(std::string(prefix), i);
-    if (numbers[i] != i)
-    {
-      const std::string there = numberedSection(std::string(prefix), numbers[i]);
-      throw ConfigError(
-          fmt::format("{}there is a section [{}] but no [{}]", placeOf(ini, there), there, section),
-          section);
-    }
-    config::load(ini, section, all[i]);
+    config::load(ini, numberedSection(prefix, i), all[i]);
   }
   return all;
 }
@@ -124,29 +72,6 @@ void readCorners(
   {
     throw ConfigError(entry->place + ": [Drive] " + e.what(), "Drive", std::string(option.key));
   }
-}
-
-/** Whether MRPT's reader gives the text back as it is. */
-bool standsInIni(const std::string& text)
-{
-  const bool printable = std::all_of(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= ' '; });
-  const bool blanks = !text.empty() && (text.front() == ' ' || text.back() == ' ');
-  return printable && !blanks && text.find("//") == std::string::npos &&
-         text.find('$') == std::string::npos && text.find('@') == std::string::npos &&
-         (text.empty() || text.back() != '\\');
-}
-
-std::string keyLine(const std::string& section, std::string_view key, const std::string& value)
-{
-  if (!standsInIni(value))
-  {
-    throw ConfigError(
-        "[" + section + "] " + std::string(key) +
-            ": this text cannot stand in an ini file (no //, $, @, line ends, blanks at its ends)",
-        section, std::string(key));
-  }
-  return std::string(key) + " = " + value + "\n";
 }
 
 /** The keys of p that are not as in P{}; for numbered sections `kind` always. */

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ini_sections.h"
+
 #include <traverse/config/strict.h>
 #include <traverse/simulating/truth_section.h>
 
@@ -27,11 +29,6 @@ TruthSection readTruthSection(const config::IniDocument& ini)
 
 std::string truthText(const TruthSection& section)
 {
-  std::string text = "\n[Truth]\n";
-  for (const options::Row& row : options::rows(section))
-  {
-    text += fmt::format("{} = {}\n", row.key, row.value);
-  }
-  return text;
+  return wholeSection("Truth", section);
 }
 }  // namespace traverse::simulating

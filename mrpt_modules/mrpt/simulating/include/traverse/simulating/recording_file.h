@@ -20,7 +20,4 @@ simulation::RecordingParams readRecording(const config::IniDocument& ini);
 
 /** The same as an ini, every key written out; readRecording() gives the same parameters. */
 std::string recordingText(const simulation::RecordingParams& params);
-
-/** "Lidar_07" */
-std::string lidarSection(size_t index);
 }  // namespace traverse::simulating
