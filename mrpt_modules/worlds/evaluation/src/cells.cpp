@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/evaluation/cells.h>
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -25,14 +24,6 @@ CellView<T> viewOf(const layers::LayerSet& set, std::string_view layer)
 template CellView<uint8_t> viewOf<uint8_t>(const layers::LayerSet&, std::string_view);
 template CellView<uint32_t> viewOf<uint32_t>(const layers::LayerSet&, std::string_view);
 template CellView<float> viewOf<float>(const layers::LayerSet&, std::string_view);
-
-geometry::CellRect common(const geometry::CellRect& a, const geometry::CellRect& b)
-{
-  const geometry::CellRect both = {
-      {std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-      {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
-  return both.max.x > both.min.x && both.max.y > both.min.y ? both : geometry::CellRect{};
-}
 
 void checkLattice(const layers::LayerSet& map, const layers::LayerSet& truth)
 {

@@ -18,20 +18,8 @@ namespace
 {
 using Cell = std::pair<int32_t, int32_t>;
 
-/** Whoever wrote the outlines, what is computed has an end: edges looked at and cells kept. */
-constexpr uint64_t kMostWork = 200'000'000;
-
 /** To keep a cell in a set takes as long as some edges do. */
 constexpr uint64_t kWorkOfCell = 10;
-
-void spend(uint64_t& work, uint64_t more)
-{
-  work += more;
-  if (work > kMostWork)
-  {
-    throw std::length_error("outlines of moving things that are too large or too many");
-  }
-}
 
 /** The cells of the window around a polygon; limits first, so that nothing overflows. */
 geometry::CellRect cellsAround(
@@ -43,26 +31,20 @@ geometry::CellRect cellsAround(
     return static_cast<int32_t>(
         std::clamp(cell, static_cast<double>(least), static_cast<double>(most)));
   };
-  Eigen::Vector2d low = polygon.front();
-  Eigen::Vector2d high = polygon.front();
-  for (const Eigen::Vector2d& p : polygon)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const Box box = boxOf(polygon);
   const double margin_m = lattice.cell_m();
   return {
-      {index(low.x() - margin_m, window.min.x, window.max.x),
-       index(low.y() - margin_m, window.min.y, window.max.y)},
-      {index(high.x() + margin_m, window.min.x - 1, window.max.x - 1) + 1,
-       index(high.y() + margin_m, window.min.y - 1, window.max.y - 1) + 1}};
+      {index(box.min.x() - margin_m, window.min.x, window.max.x),
+       index(box.min.y() - margin_m, window.min.y, window.max.y)},
+      {index(box.max.x() + margin_m, window.min.x - 1, window.max.x - 1) + 1,
+       index(box.max.y() + margin_m, window.min.y - 1, window.max.y - 1) + 1}};
 }
 
 std::set<Cell> coveredBy(
     const MovingFrame& frame,
     const geometry::Lattice& lattice,
     const geometry::CellRect& window,
-    uint64_t& work)
+    Work& work)
 {
   const double reach_m = lattice.cell_m() * std::sqrt(0.5);
   std::set<Cell> covered;
@@ -73,16 +55,16 @@ std::set<Cell> coveredBy(
       continue;
     }
     const geometry::CellRect around = cellsAround(polygon, lattice, window);
-    spend(
-        work, static_cast<uint64_t>(std::max(around.width(), 0)) *
-                  static_cast<uint64_t>(std::max(around.height(), 0)) * polygon.size());
+    work.spend(
+        static_cast<uint64_t>(std::max(around.width(), 0)) *
+        static_cast<uint64_t>(std::max(around.height(), 0)) * polygon.size());
     forEachCell(
         around,
         [&](geometry::CellIndex c)
         {
           if (distanceTo(polygon, {lattice.centre_m(c.x), lattice.centre_m(c.y)}) <= reach_m)
           {
-            spend(work, kWorkOfCell);
+            work.spend(kWorkOfCell);
             covered.emplace(c.x, c.y);
           }
         });
@@ -99,7 +81,7 @@ std::vector<Departure> departuresOf(
   std::vector<Departure> departures;
   std::map<Cell, size_t> left;  // the last departure from each cell that nothing came to since
   std::set<Cell> before;
-  uint64_t work = 0;
+  Work work("outlines of moving things that are too large or too many");  // edges, and cells kept
   for (size_t i = 0; i < frames.size(); ++i)
   {
     if (i > 0 && !(frames[i].time_s > frames[i - 1].time_s))

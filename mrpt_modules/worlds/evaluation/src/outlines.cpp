@@ -10,16 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace traverse::evaluation
 {
 namespace
 {
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-/** Whoever wrote the outlines, what is computed has an end: cells x corners, and x places. */
-constexpr uint64_t kMostWork = 200'000'000;
 
 uint64_t cornersOf(const TrueOutline& outline)
 {
@@ -38,7 +34,9 @@ class Matching
       lattice_(map.lattice), outlines_(outlines), cells_of_(outlines.size())
   {
     boxes_.reserve(outlines.size());
-    std::transform(outlines.begin(), outlines.end(), std::back_inserter(boxes_), boxOf);
+    std::transform(
+        outlines.begin(), outlines.end(), std::back_inserter(boxes_),
+        [](const TrueOutline& outline) { return boxOf(outline); });
   }
 
   /** False where the cluster touches no thing. */
@@ -96,15 +94,6 @@ class Matching
     return {lattice_.centre_m(c.x), lattice_.centre_m(c.y)};
   }
 
-  void spend(uint64_t work)
-  {
-    work_ += work;
-    if (work_ > kMostWork)
-    {
-      throw std::length_error("outlines that are too large, too detailed or too many");
-    }
-  }
-
   double distance(size_t i, geometry::CellIndex c, double if_below)
   {
     return boxes_[i].distanceTo(middle(c)) > if_below ? kFar : distanceTo(outlines_[i], c);
@@ -112,7 +101,7 @@ class Matching
 
   double distanceTo(const TrueOutline& outline, geometry::CellIndex c)
   {
-    spend(cornersOf(outline));
+    work_.spend(cornersOf(outline));
     return distanceToAny(outline, middle(c));
   }
 
@@ -133,7 +122,7 @@ class Matching
         outline, lattice_.cell_m() / 2,
         [&](const Eigen::Vector2d& place)
         {
-          spend(cells.size());
+          work_.spend(cells.size());
           score.hausdorff_m = std::max(score.hausdorff_m, nearestOf(cells, place));
         });
     // pieces may overlap: then cells tell the area of all together
@@ -184,7 +173,7 @@ class Matching
   const std::vector<TrueOutline>& outlines_;
   std::vector<Box> boxes_;
   std::vector<std::vector<geometry::CellIndex>> cells_of_;
-  uint64_t work_ = 0;
+  Work work_{"outlines that are too large, too detailed or too many"};  // cells x corners, x places
 };
 
 std::vector<TrueOutline> usable(const std::vector<TrueOutline>& outlines)

@@ -67,16 +67,25 @@ double areaOf(const TrueOutline& outline)
   return area_m2;
 }
 
+Box boxOf(const Polygon& polygon)
+{
+  Box box;
+  for (const Eigen::Vector2d& p : polygon)
+  {
+    box.min = box.min.cwiseMin(p);
+    box.max = box.max.cwiseMax(p);
+  }
+  return box;
+}
+
 Box boxOf(const TrueOutline& outline)
 {
   Box box;
   for (const Polygon& polygon : outline.polygons)
   {
-    for (const Eigen::Vector2d& p : polygon)
-    {
-      box.min = box.min.cwiseMin(p);
-      box.max = box.max.cwiseMax(p);
-    }
+    const Box one = boxOf(polygon);
+    box.min = box.min.cwiseMin(one.min);
+    box.max = box.max.cwiseMax(one.max);
   }
   return box;
 }

@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace traverse::evaluation
@@ -23,7 +27,31 @@ struct Box
   }
 };
 
+Box boxOf(const Polygon& polygon);
 Box boxOf(const TrueOutline& outline);
+
+/** Whoever wrote the outlines, what is computed from them has an end. */
+class Work
+{
+ public:
+  /** `what` is there too much of, where it is too much. */
+  explicit Work(std::string what) : what_(std::move(what)) {}
+
+  /** Throws std::length_error beyond the limit. */
+  void spend(uint64_t more)
+  {
+    constexpr uint64_t kMost = 200'000'000;
+    done_ += more;
+    if (done_ > kMost)
+    {
+      throw std::length_error(what_);
+    }
+  }
+
+ private:
+  std::string what_;
+  uint64_t done_ = 0;
+};
 
 /** From the nearest of the polygons; 0 within one. */
 double distanceToAny(const TrueOutline& outline, const Eigen::Vector2d& place);

@@ -54,9 +54,6 @@ extern template CellView<uint8_t> viewOf<uint8_t>(const layers::LayerSet&, std::
 extern template CellView<uint32_t> viewOf<uint32_t>(const layers::LayerSet&, std::string_view);
 extern template CellView<float> viewOf<float>(const layers::LayerSet&, std::string_view);
 
-/** The cells that both have. */
-geometry::CellRect common(const geometry::CellRect& a, const geometry::CellRect& b);
-
 /** Throws std::invalid_argument where the two do not lie on one lattice. */
 void checkLattice(const layers::LayerSet& map, const layers::LayerSet& truth);
 
