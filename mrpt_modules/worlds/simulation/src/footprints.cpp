@@ -56,10 +56,6 @@ class Standing
     std::vector<Eigen::Vector2d> points;
     for (const std::array<uint32_t, 3>& triangle : part.triangles)
     {
-      if (std::max({triangle[0], triangle[1], triangle[2]}) >= raised.size())
-      {
-        throw std::invalid_argument("a triangle has a vertex that is not there");
-      }
       const Clipped whole({raised[triangle[0]], raised[triangle[1]], raised[triangle[2]]});
       const Clipped low = whole.finite() ? whole.between(2, 0, vehicle_height_m_) : whole;
       if (!low.empty() && low.finite())
@@ -125,6 +121,7 @@ class Standing
 
 Footprint footprintOf(const Object& object, Standing standing, double at_s)
 {
+  checkTriangles(object);
   const Eigen::Isometry3d T_map_body = object.motion.at(at_s);
   for (const Part& part : object.parts)
   {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/simulation/labels.h>
 
-#include <algorithm>
 #include <array>
 
 namespace traverse::simulation
@@ -33,13 +32,6 @@ constexpr std::array<MaterialRow, kMaterials> kMaterialRows = {
      {"metal", 0.5},
      {"glass", 0.1},
      {"cloth", 0.5}}};
-
-template <class E, class Names>
-std::optional<E> named(std::string_view name, const Names& names)
-{
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? std::nullopt : std::optional(static_cast<E>(found - names.begin()));
-}
 }  // namespace
 
 std::string_view nameOf(Label label)
@@ -47,23 +39,9 @@ std::string_view nameOf(Label label)
   return kLabelNames.at(static_cast<size_t>(label));
 }
 
-std::optional<Label> labelNamed(std::string_view name)
-{
-  return named<Label>(name, kLabelNames);
-}
-
 std::string_view nameOf(Material material)
 {
   return kMaterialRows.at(static_cast<size_t>(material)).name;
-}
-
-std::optional<Material> materialNamed(std::string_view name)
-{
-  std::array<std::string_view, kMaterials> names;
-  std::transform(
-      kMaterialRows.begin(), kMaterialRows.end(), names.begin(),
-      [](const MaterialRow& row) { return row.name; });
-  return named<Material>(name, names);
 }
 
 double reflectivityOf(Material material)

@@ -80,18 +80,13 @@ poses::TimeNs Lidar::clockErrorNs(uint64_t k) const
   return nsOf(params_.clock_offset_s) - (backward ? turn_ns_ * 3 / 2 : 0);
 }
 
-Eigen::Isometry3d Lidar::place() const
-{
-  return placeOf(params_);
-}
-
 LidarTurn Lidar::turn(uint64_t k, const RayCaster& scene, const Motion& drive) const
 {
   LidarTurn turn;
   turn.number = k;
   turn.label = params_.label;
   turn.model = params_.model;
-  turn.T_base_sensor = place();
+  turn.T_base_sensor = placeOf(params_);
   turn.arrival = arrivalOf(k);
   const uint64_t first = firstPacket(k);
   const uint64_t end = firstPacket(k + 1);

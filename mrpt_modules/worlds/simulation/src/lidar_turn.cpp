@@ -2,18 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lidar_turn.h"
 
+#include "recording_time.h"
+
 #include <cmath>
 
 namespace traverse::simulation
 {
-namespace
-{
-double secondsOf(int64_t ns)
-{
-  return static_cast<double>(ns) * poses::kSecondsPerNs;
-}
-}  // namespace
-
 Eigen::Isometry3d placeOf(const LidarParams& params)
 {
   const auto turned = [](double angle_deg, const Eigen::Vector3d& axis)

@@ -20,11 +20,6 @@ enum Purpose : uint64_t
   kLosses = 2,
 };
 
-double secondsOf(int64_t ns)
-{
-  return static_cast<double>(ns) * poses::kSecondsPerNs;
-}
-
 /** Place and heading on the plane. */
 struct Planar
 {

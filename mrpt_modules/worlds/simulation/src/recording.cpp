@@ -166,9 +166,7 @@ std::vector<poses::StampedPose> Recording::trajectory(double rate_hz) const
   for (uint64_t k = 0; k < count; ++k)
   {
     const int64_t time_ns = dueNs(k, rate_hz);
-    poses.push_back(
-        {kRecordingStart + time_ns,
-         drive_.at(static_cast<double>(time_ns) * poses::kSecondsPerNs)});
+    poses.push_back({kRecordingStart + time_ns, drive_.at(secondsOf(time_ns))});
   }
   return poses;
 }

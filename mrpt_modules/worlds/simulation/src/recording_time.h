@@ -15,6 +15,12 @@ inline int64_t nsOf(double seconds)
   return static_cast<int64_t>(std::floor(seconds * 1e9 + 0.5));
 }
 
+/** Whole nanoseconds as seconds. */
+inline double secondsOf(int64_t ns)
+{
+  return static_cast<double>(ns) * poses::kSecondsPerNs;
+}
+
 /** When the k-th of so many a second is due, ns of the recording. */
 inline int64_t dueNs(uint64_t k, double rate_hz)
 {

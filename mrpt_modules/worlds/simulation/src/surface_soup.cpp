@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "embree_scene.h"
 
-#include <stdexcept>
-
 namespace traverse::simulation
 {
 SurfaceSoup::Vertex SurfaceSoup::vertexAt(const Eigen::Vector3d& p_map) const
@@ -14,6 +12,7 @@ SurfaceSoup::Vertex SurfaceSoup::vertexAt(const Eigen::Vector3d& p_map) const
 
 void SurfaceSoup::add(const Object& object, uint32_t number, const Eigen::Isometry3d& T_map_body)
 {
+  checkTriangles(object);
   for (const Part& part : object.parts)
   {
     const auto first = static_cast<uint32_t>(vertices_.size());
@@ -25,10 +24,6 @@ void SurfaceSoup::add(const Object& object, uint32_t number, const Eigen::Isomet
     }
     for (const auto& [a, b, c] : part.triangles)
     {
-      if (a >= part.vertices.size() || b >= part.vertices.size() || c >= part.vertices.size())
-      {
-        throw std::invalid_argument(object.name + " has a triangle without its vertices");
-      }
       triangles_.push_back({first + a, first + b, first + c});
     }
   }

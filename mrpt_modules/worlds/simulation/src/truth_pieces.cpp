@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace traverse::simulation
 {
@@ -38,6 +37,7 @@ Span spanOf(double min_m, double max_m, double sub_m, int count)
 
 void Pieces::add(const Object& object, uint32_t number, double at_s)
 {
+  checkTriangles(object);
   const Eigen::Isometry3d T_map_body = object.motion.at(at_s);
   for (const Part& part : object.parts)
   {
@@ -60,10 +60,6 @@ void Pieces::addPart(const Part& part, const Eigen::Isometry3d& T_map_body, Fill
   }
   for (const std::array<uint32_t, 3>& triangle : part.triangles)
   {
-    if (std::max({triangle[0], triangle[1], triangle[2]}) >= vertices.size())
-    {
-      throw std::invalid_argument("a triangle has a vertex that is not there");
-    }
     addTriangle({vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]}, filling);
   }
 }

@@ -39,7 +39,6 @@ Stack Stacker::at(size_t sub, float ground_m)
     if (!interval.yields && hard_open && interval.hi_m > stack.hard_m)
     {
       stack.hard_m = interval.hi_m;
-      stack.hard_object = interval.object;
     }
   }
   return stack;

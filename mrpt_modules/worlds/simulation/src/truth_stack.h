@@ -13,11 +13,10 @@ namespace traverse::simulation
  * under. */
 struct Stack
 {
-  float hard_m = 0;                       //!< top of what does not yield
-  float top_m = 0;                        //!< top of all of it
-  uint32_t hard_object = Scene::kGround;  //!< of which these are
-  uint32_t top_object = Scene::kGround;
-  bool overhang = false;  //!< something hangs above the gap
+  float hard_m = 0;                      //!< top of what does not yield
+  float top_m = 0;                       //!< top of all of it
+  uint32_t top_object = Scene::kGround;  //!< whose that is
+  bool overhang = false;                 //!< something hangs above the gap
 };
 
 /** Builds stacks; keeps its memory from one to the next. */

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace traverse::simulation
@@ -37,8 +36,6 @@ inline constexpr size_t kLabels = 19;
 
 std::string_view nameOf(Label label);
 
-std::optional<Label> labelNamed(std::string_view name);
-
 /** What a surface is made of; the numbers stand in truth files. */
 enum class Material : uint8_t
 {
@@ -59,8 +56,6 @@ enum class Material : uint8_t
 inline constexpr size_t kMaterials = 12;
 
 std::string_view nameOf(Material material);
-
-std::optional<Material> materialNamed(std::string_view name);
 
 /** Share of the light of 905 nm that comes back from a surface met at a right angle, 0..1; rough
  * values of the literature on lidar reflectivities, for intensities and ranges. */

@@ -71,9 +71,6 @@ class Lidar
 
   const LidarParams& params() const { return params_; }
 
-  /** T_base_sensor. */
-  Eigen::Isometry3d place() const;
-
  private:
   /** Packets count from the sensor's first. */
   uint64_t firstPacket(uint64_t k) const;

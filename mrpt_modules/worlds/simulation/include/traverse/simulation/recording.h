@@ -71,8 +71,6 @@ class Recording
   /** T_map_base by the scene's time. */
   const Motion& drive() const { return drive_; }
 
-  const RayCaster& rayCaster() const { return caster_; }
-
   /** Exact, from the first moment to the last; 100 Hz has all that there is to know. */
   std::vector<poses::StampedPose> trajectory(double rate_hz) const;
 

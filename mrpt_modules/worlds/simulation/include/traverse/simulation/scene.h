@@ -76,6 +76,9 @@ struct Object
   Motion motion;  //!< of its frame in the map; standing things have one pose
 };
 
+/** Throws std::invalid_argument where a triangle has a vertex that is not there. */
+void checkTriangles(const Object& object);
+
 /** What there is to be seen. */
 struct Scene
 {
