@@ -135,7 +135,6 @@ TEST_F(ReportInBrowser, LayersAreSwitchedAndColoured)
 TEST_F(ReportInBrowser, TheTrajectoryIsDrawnUntilItIsSwitchedOff)
 {
   const std::string with = map_->colour(1, 0);  // the line from the first to the fifth cell's edge
-  auto [x, y] = map_->at(0, 0);
   EXPECT_EQ(map_->colour(0, 0), "0,0,0,255") << "it starts there";
   browser_->evaluate("document.querySelector('.map input').click()");
   EXPECT_EQ(map_->colour(0, 0), "190,150,220,255");

@@ -24,21 +24,21 @@ class TraverseEvaluate : public ::testing::Test
  protected:
   static void SetUpTestSuite()
   {
-    shared_ = new ScratchFolder;
+    shared = new ScratchFolder;
     const Finished ran = traverseMap(
-        {ini("vlp16"), "--set", "traverse-map.pictures=false", "--output", *shared_ / "run"});
+        {ini("vlp16"), "--set", "traverse-map.pictures=false", "--output", *shared / "run"});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
   }
 
   static void TearDownTestSuite()
   {
-    delete shared_;
-    shared_ = nullptr;
+    delete shared;
+    shared = nullptr;
   }
 
   void SetUp() override
   {
-    fs::copy(*shared_ / "run", run(), fs::copy_options::recursive);
+    fs::copy(*shared / "run", run(), fs::copy_options::recursive);
     writeTruth(truth(), truthOfRun(run()));
   }
 
@@ -66,10 +66,10 @@ class TraverseEvaluate : public ::testing::Test
   }
 
   ScratchFolder scratch_;
-  static ScratchFolder* shared_;
+  static ScratchFolder* shared;
 };
 
-ScratchFolder* TraverseEvaluate::shared_ = nullptr;
+ScratchFolder* TraverseEvaluate::shared = nullptr;
 
 TEST_F(TraverseEvaluate, AMapIsRightAgainstItself)
 {
