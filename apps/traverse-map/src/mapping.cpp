@@ -160,7 +160,7 @@ void mapScan(
       [&]
       {
         insertIntoAll(
-            decoded.scan.view(), context.track, context.settings.run.threads, maps, metrics.maps);
+            decoded.view(), context.track, context.settings.run.threads, maps, metrics.maps);
       });
 }
 }  // namespace

@@ -6,7 +6,7 @@ namespace traverse::points
 {
 Scan ScanBuffer::view() const
 {
-  return {stamp, sensor_label, T_base_sensor, x, y, z, time_s, ring, intensity, rgb};
+  return {stamp, sensor_label, T_base_sensor, x, y, z, time_s, ring, intensity, rgb, nullptr};
 }
 
 void ScanBuffer::reserve(size_t n)

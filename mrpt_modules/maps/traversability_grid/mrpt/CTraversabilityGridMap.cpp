@@ -157,7 +157,7 @@ bool CTraversabilityGridMap::internal_insertObservation(
   }
   const Eigen::Isometry3d T_map_base =
       robot_pose ? observations::toIsometry(*robot_pose) : Eigen::Isometry3d::Identity();
-  return insertScan(result.decoded.scan.view(), poses::PoseTrack::constant(T_map_base)).inserted;
+  return insertScan(result.decoded.view(), poses::PoseTrack::constant(T_map_base)).inserted;
 }
 
 double CTraversabilityGridMap::internal_computeObservationLikelihood(
@@ -169,7 +169,7 @@ double CTraversabilityGridMap::internal_computeObservationLikelihood(
   }
   const observations::ScanResult result = observations::toScan(observation, sensors);
   return traversability_grid::logLikelihood(
-      state_, result.decoded.scan.view(), observations::toIsometry(taken_from), likelihoodOptions);
+      state_, result.decoded.view(), observations::toIsometry(taken_from), likelihoodOptions);
 }
 
 bool CTraversabilityGridMap::internal_canComputeObservationLikelihood(

@@ -22,5 +22,13 @@ struct Decoded
   ScanBuffer scan;   //!< every valid return (both, of a dual-return sensor)
   RangeImage image;  //!< empty (rows 0) where the observation has no such order
   RejectCounts rejects;
+
+  /** The scan with its image, where there is one. */
+  Scan view() const
+  {
+    Scan shown = scan.view();
+    shown.image = image.rows > 0 ? &image : nullptr;
+    return shown;
+  }
 };
 }  // namespace traverse::points

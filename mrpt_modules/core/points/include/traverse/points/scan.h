@@ -16,6 +16,7 @@
 namespace traverse::points
 {
 using poses::TimeNs;
+struct RangeImage;
 
 /** Why a value of an observation did not become a point. */
 enum class Reject : uint8_t
@@ -66,6 +67,10 @@ struct Scan
   std::span<const uint16_t> ring;    //!< laser or row, 0 = lowest elevation
   std::span<const float> intensity;  //!< 0..1
   std::span<const uint32_t> rgb;     //!< 0x00RRGGBB
+
+  /** The same observation with the beams that met nothing (points/range_image.h), as measured: it
+   * is never deskewed. nullptr: not known. */
+  const RangeImage* image = nullptr;
 
   size_t size() const { return x.size(); }
 };

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/geometry/lattice.h>
+#include <traverse/layers/occupancy_state.h>
+#include <traverse/layers/wrapped_grid.h>
+#include <traverse/multi_lidar_grid/cloud.h>
+#include <traverse/multi_lidar_grid/params.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace traverse::multi_lidar_grid
+{
+/** What one cloud says of one cell. */
+struct UnitCell
+{
+  layers::OccupancyState state = layers::OccupancyState::unknown;
+  uint8_t returns = 0;  //!< in it, those above the vehicle's height left out; 255: or more
+  uint8_t free_to = 0;  //!< beams passed up to here over the ground, in steps of kFreeStep_m
+  uint8_t passed_hits =
+      0;  //!< obstacle cells only: 1 where other beams went through at the heights of the hits
+};
+
+inline constexpr double kFreeStep_m = 0.05;
+
+/** One sensor's latest cloud as a map; on the cells of the accumulated map, so that cell and cell
+ * lie at the same place of memory. */
+struct UnitMap
+{
+  explicit UnitMap(int32_t region_edge) : cells(region_edge) {}
+
+  poses::TimeNs stamp = 0;
+  geometry::CellRect touched;  //!< nothing outside is known
+  layers::WrappedGrid<UnitCell> cells;
+};
+
+/** The ground's height where sensors met it, on patches that roll with the robot. */
+class GroundReference;
+
+/** Turns clouds into unit maps (paper 5, steps 1 to 3). Has work space, and what it knows of the
+ * ground, which all sensors share. */
+class UnitMapper
+{
+ public:
+  UnitMapper(const Params& params, const geometry::Vehicle& vehicle);
+  UnitMapper(const UnitMapper& other);
+  UnitMapper(UnitMapper&& other) noexcept;
+  UnitMapper& operator=(UnitMapper other) noexcept;
+  ~UnitMapper();
+
+  /** Makes the unit map of a cloud, around `centre`. Bad points are skipped and counted. */
+  struct Counts
+  {
+    uint64_t points = 0;   //!< that fell into cells
+    uint64_t outside = 0;  //!< beyond the region, the sensor's range or its field of view
+    uint64_t bad_points = 0;
+  };
+
+  Counts make(
+      const Cloud& cloud, const SensorParams& sensor, geometry::CellIndex centre, UnitMap& map);
+
+  /** Height of the ground in a cell, m, map frame; NaN where it is not known. */
+  double groundAt(geometry::CellIndex cell) const;
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+}  // namespace traverse::multi_lidar_grid
