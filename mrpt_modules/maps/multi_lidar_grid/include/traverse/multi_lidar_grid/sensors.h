@@ -7,6 +7,8 @@
 #include <traverse/multi_lidar_grid/unit_map.h>
 #include <traverse/poses/pose_track.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <deque>
 #include <string>
@@ -31,16 +33,19 @@ std::string_view nameOf(Health health);
 struct Sensor
 {
   std::string label;
-  UnitMap latest;             //!< its latest cloud
-  bool has_cloud = false;     //!< latest is of a cloud
-  poses::TimeNs newest = 0;   //!< stamp of its newest cloud, in the poses' time
-  double period_s = 0;        //!< usual time between clouds; 0: not known
-  uint64_t clouds = 0;        //!< taken
-  uint64_t refused_late = 0;  //!< later than order_window_s
-  uint64_t last_hash = 0;     //!< of the newest cloud's points
-  uint32_t repeats = 0;       //!< clouds in a row with that hash
+  UnitMap latest;            //!< its latest cloud
+  bool has_cloud = false;    //!< latest is of a cloud
+  poses::TimeNs newest = 0;  //!< stamp of its newest cloud, in the poses' time
+  double period_s = 0;       //!< usual time between clouds; 0: not known
+  uint64_t clouds = 0;       //!< taken
+  uint64_t refused = 0;      //!< clouds later than order_window_s, or of a stuck sensor on the move
+
+  uint64_t last_hash = 0;                                //!< of the newest cloud's points
+  uint32_t repeats = 0;                                  //!< clouds in a row with that hash
+  Eigen::Vector3d repeats_at = Eigen::Vector3d::Zero();  //!< where the first of them was taken, m
+
   ClockOffset clock;
-  double clock_offset_s = 0;  //!< in use
+  double clock_offset_s = 0;  //!< in use: added to its stamps
 };
 
 /** The sensors in the order of their first cloud, which is their bit's. The 32nd bit stands for all
@@ -55,8 +60,6 @@ class Sensors
 
   uint32_t bitOf(const Sensor& sensor) const;
 
-  Health healthOf(const Sensor& sensor, poses::TimeNs now, const Params& params) const;
-
   const std::deque<Sensor>& all() const { return sensors_; }
 
   std::deque<Sensor>& all() { return sensors_; }
@@ -64,4 +67,28 @@ class Sensors
  private:
   std::deque<Sensor> sensors_;
 };
+
+Health healthOf(const Sensor& sensor, poses::TimeNs now, const Params& params);
+
+/** False of sensors whose latest cloud says nothing of now. */
+inline bool counts(Health health)
+{
+  return health == Health::ok || health == Health::late;
+}
+
+/** Why a cloud is refused. */
+enum class Refusal : uint8_t
+{
+  none,
+  too_late,  //!< order_window_s
+  stuck,     //!< the same cloud as before, from another place
+};
+
+/** Notes that a cloud arrived and from where; whether to take it. `stamp` in the poses' time. */
+Refusal arrive(
+    Sensor& sensor,
+    const points::Scan& scan,
+    poses::TimeNs stamp,
+    const Eigen::Vector3d& place,
+    const Params& params);
 }  // namespace traverse::multi_lidar_grid

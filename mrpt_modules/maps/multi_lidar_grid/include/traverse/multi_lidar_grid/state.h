@@ -19,9 +19,13 @@ namespace traverse::multi_lidar_grid
 struct Cell
 {
   layers::OccupancyState state = layers::OccupancyState::unknown;
-  uint8_t passes = 0;           //!< sweeps in a row that went through without a hit
-  uint8_t free_to = 0;          //!< known free up to here over the ground, in steps of kFreeStep_m
-  int8_t log_odds = 0;          //!< of being an obstacle, in steps of kLogOddsStep
+  uint8_t passes = 0;   //!< looks in a row that contradicted an obstacle
+  uint8_t free_to = 0;  //!< known free up to here over the ground, in steps of kFreeStep_m
+
+  /** accumulation = log_odds: the log-odds of an obstacle, in steps of kLogOddsStep; = sweeps: the
+   * share of looks that hit it lately, in 127ths. */
+  int8_t belief = 0;
+
   uint32_t seen_by = 0;         //!< bits of the sensors that said what it is
   poses::TimeNs last_hit = 0;   //!< of an obstacle, negative or overhang
   poses::TimeNs last_seen = 0;  //!< of anything said of it
@@ -42,6 +46,7 @@ struct State
   UnitMapper mapper;
   std::optional<poses::StampedPose> robot;  //!< newest pose that a cloud came with
   poses::TimeNs now = 0;                    //!< newest stamp, or what advance() said
+  poses::TimeNs forgot_at = 0;              //!< when cells were last looked through for old ones
 
   bool empty() const { return !robot; }
 };

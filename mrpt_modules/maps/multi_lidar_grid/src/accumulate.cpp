@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/multi_lidar_grid/accumulate.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace traverse::multi_lidar_grid
+{
+namespace
+{
+using layers::OccupancyState;
+
+constexpr int kSure = 127;
+constexpr int kShareStep = 16;  // a look counts for a 16th of the share, the looks before for less
+constexpr int kMostPasses = 250;
+
+bool blocks(OccupancyState state)
+{
+  return state == OccupancyState::obstacle || state == OccupancyState::negative;
+}
+
+int steps(double log_odds)
+{
+  const long n = std::lround(log_odds / kLogOddsStep);
+  return static_cast<int>(std::clamp(n, -127L, 127L));
+}
+
+/** A 16th of the way to all or none, rounded up so that it gets there. */
+int8_t towards(int share, int goal)
+{
+  const int left = goal - share;
+  const int step = (std::abs(left) + kShareStep - 1) / kShareStep;
+  return static_cast<int8_t>(left < 0 ? share - step : share + step);
+}
+
+void become(Cell& cell, OccupancyState state, uint32_t sensor_bit)
+{
+  cell.seen_by = cell.state == state ? cell.seen_by | sensor_bit : sensor_bit;
+  cell.state = state;
+}
+}  // namespace
+
+Accumulator::Accumulator(const Params& params) :
+    log_odds_(params.accumulation == Accumulation::log_odds),
+    clear_after_(params.clear_after_sweeps),
+    hit_step_(std::max(1, steps(params.log_odds_hit))),
+    pass_step_(std::min(-1, steps(params.log_odds_pass))),
+    most_(std::max(1, steps(params.log_odds_most)))
+{
+}
+
+void Accumulator::hit(Cell& cell, const Look& look) const
+{
+  const bool is_first = !blocks(cell.state);
+  cell.last_hit = std::max(cell.last_hit, look.stamp);
+  if (log_odds_)
+  {
+    cell.belief = static_cast<int8_t>(std::min(cell.belief + hit_step_, most_));
+    if (cell.belief <= 0)
+    {
+      return;
+    }
+  }
+  else
+  {
+    const bool is_new = is_first && cell.belief == 0;
+    cell.belief = is_new ? int8_t{kSure} : towards(cell.belief, kSure);
+  }
+  cell.passes = 0;
+  // What one sensor calls a ditch and another an obstacle is an obstacle.
+  const bool stays = cell.state == OccupancyState::obstacle && !is_first;
+  become(cell, stays ? OccupancyState::obstacle : look.cell.state, look.sensor_bit);
+}
+
+bool Accumulator::isContradicted(const Cell& cell) const
+{
+  if (log_odds_)
+  {
+    return cell.belief <= 0;
+  }
+  const int enough = clear_after_ * kSure / std::max<int>(cell.belief, kSure / 16);
+  return cell.passes >= std::min(enough, kMostPasses);
+}
+
+void Accumulator::pass(Cell& cell, const Look& look) const
+{
+  if (blocks(cell.state))
+  {
+    const bool is_other = (cell.seen_by & look.sensor_bit) == 0;
+    const double since_s = poses::secondsBetween(cell.last_hit, look.stamp);
+    if (since_s <= 0 || (is_other && since_s < kOthersWait_s && !log_odds_))
+    {
+      return;
+    }
+  }
+  cell.belief = log_odds_ ? static_cast<int8_t>(std::max(cell.belief + pass_step_, -most_))
+                          : towards(cell.belief, 0);
+  cell.passes = static_cast<uint8_t>(std::min(cell.passes + 1, kMostPasses));
+  if (blocks(cell.state) && !isContradicted(cell))
+  {
+    return;
+  }
+  const bool hangs = look.cell.state == OccupancyState::overhang;
+  const bool hung = cell.state == OccupancyState::overhang;
+  cell.free_to = look.cell.free_to;
+  become(cell, hangs || hung ? OccupancyState::overhang : OccupancyState::free, look.sensor_bit);
+}
+
+void Accumulator::add(Cell& cell, const Look& look) const
+{
+  if (blocks(look.cell.state))
+  {
+    hit(cell, look);
+  }
+  else
+  {
+    pass(cell, look);
+  }
+  cell.last_seen = std::max(cell.last_seen, look.stamp);
+}
+
+void Accumulator::add(
+    layers::WrappedGrid<Cell>& cells, const UnitMap& map, uint32_t sensor_bit) const
+{
+  const geometry::CellRect region = cells.region();
+  const geometry::CellRect part = {
+      {std::max(region.min.x, map.touched.min.x), std::max(region.min.y, map.touched.min.y)},
+      {std::min(region.max.x, map.touched.max.x), std::min(region.max.y, map.touched.max.y)}};
+  map.cells.forEachRunIn(
+      part,
+      [&](geometry::CellIndex first, std::span<const UnitCell> run)
+      {
+        Cell* const stored = &cells.at(first);  // both grids wrap at the same columns
+        for (size_t i = 0; i < run.size(); ++i)
+        {
+          if (run[i].state != OccupancyState::unknown)
+          {
+            add(stored[i], {run[i], map.stamp, sensor_bit});
+          }
+        }
+      });
+}
+}  // namespace traverse::multi_lidar_grid
