@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <traverse/geometry/lattice.h>
 #include <traverse/multi_lidar_grid/clock_offset.h>
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
+#include <functional>
+#include <utility>
 
 namespace traverse::multi_lidar_grid
 {
@@ -14,23 +14,50 @@ namespace
 constexpr double kBetweenKeys_s = 0.5;
 constexpr size_t kMostKeys = 8;
 constexpr size_t kMostPoints = 1500;
-constexpr double kNearEnough_m = 40;  // farther, a degree of attitude moves a point by more
+constexpr double kReach_m = 40;  // farther, a degree of attitude moves a point by more
 constexpr double kVelocityChange_mps = 2;
 constexpr int kEnoughPairs = 8;
 constexpr double kClearPeak = 1.05;  // over the mean of all offsets
-constexpr int32_t kCell_mm = 300;
+constexpr double kCell_m = 0.25;
+constexpr int kSide = 2 * static_cast<int>(kReach_m / kCell_m);
 
-using Cells = std::unordered_set<uint64_t>;
-
-std::optional<uint64_t> cellOf(const Eigen::Vector3d& p)
+/** The grid's index of a place in the vehicle frame of the grid's cloud; its rim has none. */
+std::optional<int> cellOf(const Eigen::Vector3d& p)
 {
-  if (!(p.array().abs() < geometry::kFarthest_m).all())
+  const double x = (p.x() + kReach_m) / kCell_m;
+  const double y = (p.y() + kReach_m) / kCell_m;
+  const bool is_inside = x >= 1 && y >= 1 && x < kSide - 1 && y < kSide - 1;
+  return is_inside ? std::optional(static_cast<int>(y) * kSide + static_cast<int>(x))
+                   : std::nullopt;
+}
+
+/** 4 in cells with a point, 2 beside and 1 across from them. */
+std::vector<uint8_t> nearness(const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr std::array<std::pair<int, uint8_t>, 9> kKernel = {
+      {{-kSide - 1, 1},
+       {-kSide, 2},
+       {-kSide + 1, 1},
+       {-1, 2},
+       {0, 4},
+       {1, 2},
+       {kSide - 1, 1},
+       {kSide, 2},
+       {kSide + 1, 1}}};
+  std::vector<uint8_t> grid(static_cast<size_t>(kSide) * kSide, 0);
+  for (const Eigen::Vector3d& p : points)
   {
-    return std::nullopt;
+    const auto cell = cellOf(p);
+    for (const auto& [step, near] : kKernel)
+    {
+      if (cell)
+      {
+        uint8_t& value = grid[static_cast<size_t>(*cell + step)];
+        value = std::max(value, near);
+      }
+    }
   }
-  const geometry::CellIndex cell = geometry::Lattice{kCell_mm}.cellOf(
-      geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y()));
-  return uint64_t{static_cast<uint32_t>(cell.x)} << 32U | static_cast<uint32_t>(cell.y);
+  return grid;
 }
 
 poses::TimeNs later(poses::TimeNs stamp, int step)
@@ -44,7 +71,7 @@ std::vector<Eigen::Vector3d> upright(const points::Scan& scan, double low_m, dou
   for (size_t i = 0; i < scan.size(); ++i)
   {
     const Eigen::Vector3d p(scan.x[i], scan.y[i], scan.z[i]);
-    if (p.z() > low_m && p.z() < high_m && p.squaredNorm() < kNearEnough_m * kNearEnough_m)
+    if (p.z() > low_m && p.z() < high_m && p.squaredNorm() < kReach_m * kReach_m)
     {
       kept.push_back(p);
     }
@@ -71,38 +98,28 @@ std::optional<Eigen::Vector3d> velocityAt(poses::TimeNs stamp, const poses::Pose
       (after->T_map_base.translation() - before->T_map_base.translation()) / (2e-9 * kAround));
 }
 
-/** Share of the later cloud's points in cells of the earlier one, both placed with an offset. */
-std::optional<double> agreement(
-    const std::vector<Eigen::Vector3d>& earlier,
-    const Eigen::Isometry3d& T_map_earlier,
-    const std::vector<Eigen::Vector3d>& later_points,
-    const Eigen::Isometry3d& T_map_later)
+/** How near points fall to those of a grid, on the average. */
+double agreement(
+    const std::vector<uint8_t>& grid,
+    const std::vector<Eigen::Vector3d>& points,
+    const Eigen::Isometry3d& T_grid_points)
 {
-  Cells cells;
-  cells.reserve(earlier.size());
-  for (const Eigen::Vector3d& p : earlier)
+  uint64_t sum = 0;
+  for (const Eigen::Vector3d& p : points)
   {
-    if (const auto cell = cellOf(T_map_earlier * p))
-    {
-      cells.insert(*cell);
-    }
+    const auto cell = cellOf(T_grid_points * p);
+    sum += cell ? grid[static_cast<size_t>(*cell)] : 0;
   }
-  size_t met = 0;
-  for (const Eigen::Vector3d& p : later_points)
-  {
-    const auto cell = cellOf(T_map_later * p);
-    met += static_cast<size_t>(cell && cells.contains(*cell));
-  }
-  return later_points.empty() ? std::nullopt
-                              : std::optional(static_cast<double>(met) / later_points.size());
+  return static_cast<double>(sum) / static_cast<double>(points.size());
 }
 }  // namespace
 
 void ClockOffset::add(
     const points::Scan& scan, const poses::PoseTrack& track, double low_m, double high_m)
 {
-  if (!keys_.empty() &&
-      std::abs(poses::secondsBetween(keys_.back().stamp, scan.stamp)) < kBetweenKeys_s)
+  const bool is_soon = !keys_.empty() && std::abs(poses::secondsBetween(
+                                             keys_.back().stamp, scan.stamp)) < kBetweenKeys_s;
+  if (is_soon || pairs_ >= kMostPairs)
   {
     return;
   }
@@ -111,7 +128,12 @@ void ClockOffset::add(
   {
     return;
   }
-  Key key{scan.stamp, *velocity, upright(scan, low_m, high_m)};
+  Key key{scan.stamp, *velocity, upright(scan, low_m, high_m), {}};
+  if (key.p_base.empty())
+  {
+    return;
+  }
+  key.near = nearness(key.p_base);
   for (const Key& earlier : keys_)
   {
     if ((earlier.velocity - key.velocity).norm() > kVelocityChange_mps)
@@ -137,13 +159,8 @@ void ClockOffset::compare(const Key& earlier, const Key& later_key, const poses:
     {
       return;
     }
-    const auto share =
-        agreement(earlier.p_base, first->T_map_base, later_key.p_base, second->T_map_base);
-    if (!share)
-    {
-      return;
-    }
-    found[static_cast<size_t>(i)] = *share;
+    found[static_cast<size_t>(i)] =
+        agreement(earlier.near, later_key.p_base, first->T_map_base.inverse() * second->T_map_base);
   }
   std::transform(found.begin(), found.end(), score_.begin(), score_.begin(), std::plus<>());
   ++pairs_;

@@ -74,7 +74,7 @@ Sensor& Sensors::obtain(std::string_view label, int32_t region_edge)
   {
     return sensors_.back();
   }
-  return sensors_.emplace_back(Sensor{.label = std::string(label), .latest = UnitMap(region_edge)});
+  return sensors_.emplace_back(Sensor(label, region_edge));
 }
 
 uint32_t Sensors::bitOf(const Sensor& sensor) const

@@ -32,6 +32,8 @@ std::string_view nameOf(Health health);
 /** One sensor, as the map knows it. */
 struct Sensor
 {
+  Sensor(std::string_view of, int32_t region_edge) : label(of), latest(region_edge) {}
+
   std::string label;
   UnitMap latest;            //!< its latest cloud
   bool has_cloud = false;    //!< latest is of a cloud
