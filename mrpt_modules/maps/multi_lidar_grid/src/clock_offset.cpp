@@ -44,7 +44,7 @@ std::vector<uint8_t> nearness(const std::vector<Eigen::Vector3d>& points)
        {kSide - 1, 1},
        {kSide, 2},
        {kSide + 1, 1}}};
-  std::vector<uint8_t> grid(static_cast<size_t>(kSide) * kSide, 0);
+  std::vector<uint8_t> grid(size_t{kSide} * kSide, 0);
   for (const Eigen::Vector3d& p : points)
   {
     const auto cell = cellOf(p);
