@@ -3,3 +3,4 @@
 traverse_test(unit lidar_accumulate_test USES multi_lidar_grid)
 traverse_test(unit lidar_sensors_test USES multi_lidar_grid)
 traverse_test(unit clock_offset_test USES multi_lidar_grid simulation)
+traverse_test(property multi_lidar_endless_slow_test USES multi_lidar_grid SLOW)
