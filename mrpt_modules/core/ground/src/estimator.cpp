@@ -65,6 +65,7 @@ std::span<const Verdict> Estimator::estimate(
   }
   if (columns.empty() || seeds.empty() || window.empty())
   {
+    work_->grid.reset({}, lattice, {}, params.patch_m);
     work_->verdicts.assign(columns.size(), {});
     return work_->verdicts;
   }
@@ -74,5 +75,16 @@ std::span<const Verdict> Estimator::estimate(
   Spread(work_->grid, params).from(work_->seeds);
   work_->surfaces.judge(work_->grid, params, work_->verdicts);
   return work_->verdicts;
+}
+
+PatchPlane Estimator::planeAt(geometry::CellIndex cell) const
+{
+  const int32_t patch = work_ == nullptr ? -1 : work_->grid.patchOf(cell);
+  if (patch < 0 || !work_->grid.at(patch).isSettled())
+  {
+    return {};
+  }
+  const Patch& p = work_->grid.at(patch);
+  return {p.z_m(), p.slopeX(), p.slopeY(), p.gap_m};
 }
 }  // namespace traverse::ground

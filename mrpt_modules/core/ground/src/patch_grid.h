@@ -135,6 +135,15 @@ class PatchGrid
     return along_[static_cast<size_t>(i)];
   }
 
+  /** The patch that holds a cell; -1 for cells outside the window. */
+  int32_t patchOf(geometry::CellIndex cell) const
+  {
+    return window_.contains(cell)
+               ? by_y_[static_cast<size_t>(cell.y - window_.min.y)].patch * stride_ +
+                     by_x_[static_cast<size_t>(cell.x - window_.min.x)].patch
+               : -1;
+  }
+
   /** Calls f(i) for the columns()[i] of the nine cells around one of a patch, and in it. */
   template <class F>
   void forEachAround(int32_t patch, const PlacedColumn& column, F&& f) const;

@@ -33,6 +33,17 @@ struct Seed
   float radius_m = 0;  //!< how far around it the ground is taken to be this plane
 };
 
+/** The ground in a patch, with points or without. */
+struct PatchPlane
+{
+  float z_m = std::numeric_limits<float>::quiet_NaN();  //!< in its middle; NaN: not reached
+  float slope_x = 0;
+  float slope_y = 0;
+  float gap_m = std::numeric_limits<float>::infinity();  //!< to the nearest with ground points
+
+  bool isKnown() const { return z_m == z_m; }
+};
+
 /** What the estimate says of a column. */
 struct Verdict
 {

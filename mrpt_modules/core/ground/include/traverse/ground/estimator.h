@@ -45,6 +45,9 @@ class Estimator
       const geometry::CellRect& window,
       const Params& params);
 
+  /** What the last estimate() left in the patch of a cell. */
+  PatchPlane planeAt(geometry::CellIndex cell) const;
+
   static constexpr int64_t kMostPatches = 100'000'000;
 
  private:

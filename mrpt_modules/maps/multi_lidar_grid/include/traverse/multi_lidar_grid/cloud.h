@@ -25,23 +25,40 @@ class SensorPath
   /** T_map_base at the scan's stamp, to which its points were deskewed. */
   const Eigen::Isometry3d& T_map_base() const { return T_map_base_; }
 
-  /** The sensor in the map frame at a time relative to the stamp, m. */
+  /** The sensor in the map frame at a time relative to the stamp, m; for a time that is none, where
+   * it was first. */
   Eigen::Vector3d originAt(float time_s) const
   {
     if (origins_.size() == 1)
     {
       return origins_.front();
     }
-    const double at = std::clamp<double>(
-        (time_s - first_s_) / step_s_, 0, static_cast<double>(origins_.size() - 1));
+    const double steps = (time_s - first_s_) / step_s_;
+    const double at = steps > 0 ? std::min(steps, static_cast<double>(origins_.size() - 1)) : 0;
     const auto before = std::min(static_cast<size_t>(at), origins_.size() - 2);
     const double part = at - static_cast<double>(before);
     return origins_[before] * (1 - part) + origins_[before + 1] * part;
   }
 
+  /** The vehicle's attitude in the map at about that time. */
+  const Eigen::Matrix3d& attitudeAt(float time_s) const
+  {
+    const double steps = (time_s - first_s_) / step_s_ + 0.5;
+    const double last = static_cast<double>(attitudes_.size() - 1);
+    return attitudes_[steps > 0 ? static_cast<size_t>(std::min(steps, last)) : 0];
+  }
+
+  /** Origins at first_s(), first_s() + step_s(), ...; one where the sensor stands still. */
+  const std::vector<Eigen::Vector3d>& origins() const { return origins_; }
+
+  double first_s() const { return first_s_; }
+
+  double step_s() const { return step_s_; }
+
  private:
   Eigen::Isometry3d T_map_base_ = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Vector3d> origins_;  // at equal steps of time
+  std::vector<Eigen::Vector3d> origins_ = {Eigen::Vector3d::Zero()};  // at equal steps of time
+  std::vector<Eigen::Matrix3d> attitudes_ = {Eigen::Matrix3d::Identity()};
   double first_s_ = 0;
   double step_s_ = 1;
 };

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fan_trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace traverse::multi_lidar_grid
+{
+using layers::OccupancyState;
+
+namespace
+{
+/** No ground rises steeper towards a beam, up per along: how far it may be followed blindly. */
+constexpr float kSteepest = 0.7F;
+
+/** Where the ground is not known it is looked for again so far on. */
+constexpr float kUnknownStep_m = 0.5F;
+
+/** A beam so far below the ground reference is below the ground: the reference's own error, and
+ * that of the sensor's tilt. */
+float sunkFrom(float along_m)
+{
+  constexpr float kReference_m = 0.08F;
+  constexpr float kTilt = 0.005F;
+  return kReference_m + kTilt * along_m;
+}
+}  // namespace
+
+void FanTrace::trace(
+    const Eigen::Vector3f& origin,
+    const BeamFans& fans,
+    int32_t fan,
+    std::span<const FanBeam> beams)
+{
+  origin_ = origin;
+  fan_ = fan;
+  float reached_m = 0;
+  for (size_t k = 0; k < beams.size(); ++k)
+  {
+    const float to_m = std::min(beams[k].reach_m, scene_.range_m);
+    if (to_m > reached_m)
+    {
+      follow(fans, {reached_m, to_m, beams[k].slope, topSlope(beams, k, to_m)});
+      reached_m = to_m;
+    }
+  }
+  if (scene_.rules.depth_mm <= 0 || scene_.is_level)
+  {
+    return;
+  }
+  for (size_t k = 0; k < beams.size(); ++k)
+  {
+    if (beams[k].is_hit)
+    {
+      sink(fans, beams, k);
+    }
+  }
+}
+
+/** The highest beam up to which none is further over the next lower one than the obstacle height,
+ * as far out as the lowest of them goes. */
+float FanTrace::topSlope(std::span<const FanBeam> beams, size_t k, float to_m) const
+{
+  const float most = scene_.rules.obstacle_m() / to_m;
+  float top = beams[k].slope;
+  for (size_t j = k + 1; j < beams.size() && beams[j].slope - top <= most; ++j)
+  {
+    top = beams[j].reach_m >= to_m ? beams[j].slope : top;
+  }
+  return top;
+}
+
+bool FanTrace::isLow(float height_m, float along_m) const
+{
+  if (scene_.is_level)
+  {
+    return height_m > 0 && height_m < scene_.rules.robot_m();
+  }
+  return height_m < scene_.rules.obstacle_m() && height_m > -sunkFrom(along_m);
+}
+
+void FanTrace::follow(const BeamFans& fans, const Pass& pass)
+{
+  const int32_t rays =
+      std::clamp(static_cast<int32_t>(std::ceil(fans.width_rad() * pass.to_m / cell_m_)), 1, 16);
+  for (int32_t i = 0; i < rays; ++i)
+  {
+    const float part = (static_cast<float>(i) + 0.5F) / static_cast<float>(rays) - 0.5F;
+    followRay({origin_.x(), origin_.y(), fans.direction(fan_, part)}, pass);
+  }
+}
+
+void FanTrace::followRay(const GroundRay& ray, const Pass& pass)
+{
+  const GroundRay::Stretch inside = ray.within(side_m_);
+  Pass part = pass;
+  part.from_m = std::max(pass.from_m, inside.from_m);
+  part.to_m = std::min(pass.to_m, inside.to_m);
+  float at_m = part.from_m;
+  while (at_m < part.to_m)
+  {
+    const float height_m = heightOver(ray, pass.slope, at_m);
+    if (isLow(height_m, at_m))
+    {
+      at_m = freeFrom(ray, part, at_m);
+      continue;
+    }
+    const float over_m = height_m - scene_.rules.obstacle_m();
+    const float jump_m = over_m / (kSteepest + std::max(0.0F, -pass.slope));
+    at_m += over_m != over_m ? kUnknownStep_m : std::max(jump_m, cell_m_ / 2);
+  }
+}
+
+/** Over the ground, m; NaN where that is not known. */
+float FanTrace::heightOver(const GroundRay& ray, float slope, float along_m) const
+{
+  const GroundRay::Place place = ray.placeAt(along_m, 1 / cell_m_, edge_);
+  return origin_.z() + slope * along_m - scene_.ground.heightAt(place.x, place.y);
+}
+
+/** Frees cells as long as the beam is low, and returns how far that was. */
+float FanTrace::freeFrom(const GroundRay& ray, const Pass& pass, float at_m)
+{
+  CellWalk walk(ray, at_m, cell_m_, edge_);
+  do
+  {
+    const float along_m = walk.at_m();
+    const float ground_m = scene_.ground.heightAt(walk.place().x, walk.place().y);
+    if (along_m >= pass.to_m)
+    {
+      return pass.to_m;
+    }
+    if (!isLow(origin_.z() + pass.slope * along_m - ground_m, along_m))
+    {
+      return std::max(along_m, at_m + cell_m_ / 4);
+    }
+    free(walk.place(), along_m, ground_m, pass);
+  } while (walk.next());
+  return pass.to_m;
+}
+
+void FanTrace::free(const GroundRay::Place& place, float along_m, float ground_m, const Pass& pass)
+{
+  UnitCell& cell = cellAt(place);
+  const float top_m = origin_.z() + pass.top_slope * along_m;
+  if (cell.state == OccupancyState::obstacle)
+  {
+    const Column* column = scene_.columns.find(place.y * edge_ + place.x);
+    const float low_m = origin_.z() + pass.slope * along_m;
+    const bool spans = column != nullptr && low_m * 1000 <= static_cast<float>(column->above) &&
+                       top_m * 1000 >= static_cast<float>(column->hits_to);
+    cell.passed_hits = static_cast<uint8_t>(cell.passed_hits | static_cast<uint8_t>(spans));
+    return;
+  }
+  if (cell.state == OccupancyState::unknown)
+  {
+    cell.state = cell.passed_hits == kHangs ? OccupancyState::overhang : OccupancyState::free;
+  }
+  if (cell.state == OccupancyState::negative)
+  {
+    return;
+  }
+  const float high_m = std::clamp(top_m - ground_m, 0.0F, scene_.rules.robot_m());
+  const auto steps = static_cast<int32_t>(high_m / static_cast<float>(kFreeStep_m) + 0.01F);
+  cell.free_to = static_cast<uint8_t>(std::max<int32_t>(cell.free_to, std::min(steps, 255)));
+}
+}  // namespace traverse::multi_lidar_grid

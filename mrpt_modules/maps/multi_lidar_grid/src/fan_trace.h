@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "beam_fans.h"
+#include "cell_columns.h"
+#include "ground_ray.h"
+#include "ground_reference.h"
+#include "rules.h"
+
+#include <traverse/multi_lidar_grid/unit_map.h>
+
+#include <span>
+
+namespace traverse::multi_lidar_grid
+{
+/** In passed_hits, until the end of a cloud: something hangs over a cell, and whether it is free
+ * below is for the beams to say. */
+inline constexpr uint8_t kHangs = 2;
+
+/** What all fans of a cloud have in common. */
+struct FanScene
+{
+  const Rules& rules;
+  const LocalGround& ground;
+  const CellColumns& columns;
+  geometry::CellRect region;
+  float range_m = 0;
+  bool is_level = false;  //!< a 2-D scanner: what it frees it frees at the height of its beam
+};
+
+/** Follows the beams of one fan over the ground: a cell is free where one passes lower than the
+ * obstacle height, and negative where they sink into the ground. */
+class FanTrace
+{
+ public:
+  FanTrace(const FanScene& scene, UnitMap& map) :
+      scene_(scene),
+      map_(map),
+      cell_m_(scene.rules.cell_m()),
+      edge_(scene.region.width()),
+      side_m_(cell_m_ * static_cast<float>(edge_))
+  {
+  }
+
+  /** `beams` by growing slope, from the origin (m from the region's corner and the zero of
+   * heights). */
+  void trace(
+      const Eigen::Vector3f& origin,
+      const BeamFans& fans,
+      int32_t fan,
+      std::span<const FanBeam> beams);
+
+ private:
+  /** The lowest beam that passes, and how high the beams above it follow without a gap. */
+  struct Pass
+  {
+    float from_m = 0;
+    float to_m = 0;
+    float slope = 0;
+    float top_slope = 0;
+  };
+
+  bool isLow(float height_m, float along_m) const;
+  void follow(const BeamFans& fans, const Pass& pass);
+  void followRay(const GroundRay& ray, const Pass& pass);
+  float freeFrom(const GroundRay& ray, const Pass& pass, float at_m);
+  void free(const GroundRay::Place& place, float along_m, float ground_m, const Pass& pass);
+  float topSlope(std::span<const FanBeam> beams, size_t k, float to_m) const;
+
+  void sink(const BeamFans& fans, std::span<const FanBeam> beams, size_t k);
+  float heightOver(const GroundRay& ray, float slope, float along_m) const;
+  float edgeOf(const GroundRay& ray, const FanBeam& beam) const;
+  float dropAt(const GroundRay& ray, std::span<const FanBeam> beams, size_t k, float edge_m) const;
+  void markNegative(const GroundRay& ray, float from_m, float to_m);
+
+  UnitCell& cellAt(const GroundRay::Place& place)
+  {
+    return map_.cells.at({scene_.region.min.x + place.x, scene_.region.min.y + place.y});
+  }
+
+  const FanScene& scene_;
+  UnitMap& map_;
+  float cell_m_;
+  int32_t edge_;
+  float side_m_;
+  Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();
+  int32_t fan_ = 0;
+};
+}  // namespace traverse::multi_lidar_grid
