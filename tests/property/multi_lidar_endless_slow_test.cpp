@@ -64,7 +64,7 @@ class EndlessLidars : public ::testing::Test
 
   geometry::Vehicle vehicle_;
   Params params_;
-  testing::EndlessStreet street_;
+  traverse::testing::EndlessStreet street_;
   std::vector<Eigen::Isometry3d> poses_;
 };
 
