@@ -1,0 +1,3 @@
+# Cells that wrap round, distances between cells, and the safety buffer of maps/multi_lidar_grid.
+traverse_test(unit torus_test USES geometry)
+traverse_test(property wrapped_grid_test USES layers)
