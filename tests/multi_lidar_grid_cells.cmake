@@ -1,3 +1,4 @@
 # Cells that wrap round, distances between cells, and the safety buffer of maps/multi_lidar_grid.
 traverse_test(unit torus_test USES geometry)
 traverse_test(property wrapped_grid_test USES layers)
+traverse_test(oracle distance_transform_test USES layers)
