@@ -88,7 +88,6 @@ std::vector<Nearest> fast(const Grid& grid, int32_t most_squared)
   return all;
 }
 
-// Reaches 15 and 16 are the last of one way and the first of another.
 TEST(DistanceTransform, FindsTheNearestObstacleOfEveryCell)
 {
   constexpr std::array kReaches = {0, 1, 2, 5, 24, 224, 225, 255, 256, 300, 5000, 268402689};

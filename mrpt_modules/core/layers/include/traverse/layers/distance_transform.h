@@ -41,17 +41,7 @@ class DistanceTransform
   void row(int32_t y, NearestRow& nearest);
 
  private:
-  void findAlongColumns(std::span<const uint8_t> obstacles);
-  void lowestOfWindow(const int16_t* along, size_t columns);
-  void lowestOfEnvelope(const int16_t* along, int32_t columns);
-  void decode(const int16_t* along, NearestRow& nearest) const;
-
-  int32_t columns_;
-  int32_t rows_;
-  int32_t most_squared_;
-  int32_t reach_ = 0;
-  bool is_narrow_ = false;
-  std::vector<int16_t> along_;  // rows to the nearest obstacle of the column; beyond reach_: none
+  size_t findEnvelope(const int16_t* along);
 
   struct Parabola
   {
@@ -59,8 +49,10 @@ class DistanceTransform
     int32_t first = 0;  // column from which on it is the lowest
   };
 
-  std::vector<int16_t> heights_;  // of a row, with reach_ columns more on either side
-  std::vector<int16_t> source_;   // column of the nearest obstacle, less the cell's own
+  int32_t columns_;
+  int32_t rows_;
+  std::vector<int16_t> reach_by_rows_;
+  std::vector<int16_t> along_;  // rows to the column's nearest obstacle; out of reach: one too many
   std::vector<Parabola> envelope_;
 };
 }  // namespace traverse::layers
