@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "strip.h"
+
+#include <traverse/layers/distance_transform.h>
+#include <traverse/multi_lidar_grid/safety_buffer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace traverse::multi_lidar_grid
+{
+namespace
+{
+using layers::BufferZone;
+using layers::OccupancyState;
+
+constexpr int64_t kReach_cells = layers::DistanceTransform::kLongestReach_cells;
+
+int64_t micrometres(double m)
+{
+  constexpr double kMost_m = 1e3;
+  if (!(m >= 0 && m <= kMost_m))
+  {
+    throw std::invalid_argument("widths of a safety buffer are 0 to 1000 m");
+  }
+  return std::llround(m * 1e6);
+}
+
+/** The greatest squared distance in cells that is within a width; in integers, so that a width of
+ * 15 cells reaches the 15th. */
+int32_t squaredCells(double width_m, double cell_size_m)
+{
+  const int64_t width = micrometres(width_m);
+  const int64_t cell = std::max<int64_t>(micrometres(cell_size_m), 1);
+  if (width / cell >= kReach_cells)
+  {
+    throw std::invalid_argument("a safety buffer reaches 16382 cells at most");
+  }
+  return static_cast<int32_t>(width * width / (cell * cell));
+}
+
+std::vector<uint8_t> obstaclesOf(std::span<const uint8_t> states)
+{
+  std::vector<uint8_t> is_obstacle(states.size());
+  for (size_t i = 0; i < states.size(); ++i)
+  {
+    const bool is_one = states[i] == static_cast<uint8_t>(OccupancyState::obstacle) ||
+                        states[i] == static_cast<uint8_t>(OccupancyState::negative);
+    is_obstacle[i] = is_one ? 1 : 0;
+  }
+  return is_obstacle;
+}
+
+struct Limits
+{
+  int32_t hard_squared;
+  int32_t soft_squared;
+};
+
+void setZones(
+    std::span<const uint8_t> states,
+    const layers::NearestRow& nearest,
+    const Limits& limits,
+    std::span<uint8_t> zones)
+{
+  for (size_t x = 0; x < zones.size(); ++x)
+  {
+    const int32_t squared = nearest.squared[x];
+    const BufferZone outer = squared <= limits.soft_squared ? BufferZone::soft : BufferZone::none;
+    const BufferZone zone = squared <= limits.hard_squared ? BufferZone::hard : outer;
+    const bool is_known = states[x] != static_cast<uint8_t>(OccupancyState::unknown);
+    zones[x] = is_known ? static_cast<uint8_t>(zone) : uint8_t{0};
+  }
+}
+}  // namespace
+
+std::vector<uint8_t> safetyBuffer(
+    std::span<const uint8_t> states, int32_t columns, const BufferParams& params)
+{
+  const Limits limits = {
+      squaredCells(params.hard_m, params.cell_size_m),
+      squaredCells(params.hard_m + params.soft_m, params.cell_size_m)};
+  layers::DistanceTransform transform(obstaclesOf(states), columns, limits.soft_squared);
+  std::vector<uint8_t> zones(states.size());
+  const auto width = static_cast<size_t>(columns);
+  const Buffer buffer = {states, zones, width};
+  Strip strip(buffer, limits.hard_squared);
+  layers::NearestRow now;
+  layers::NearestRow before;
+  for (size_t y = 0; y * width < states.size(); ++y)
+  {
+    transform.row(static_cast<int32_t>(y), now);
+    setZones(states.subspan(y * width, width), now, limits, buffer.zones.subspan(y * width, width));
+    if (params.strip == StripRule::standard)
+    {
+      strip.addRow(y, now, before);
+    }
+    std::swap(now, before);
+  }
+  if (params.strip == StripRule::standard)
+  {
+    strip.leadOut();
+  }
+  else if (params.strip == StripRule::paper)
+  {
+    cutByLaplacian(buffer, static_cast<int32_t>(std::ceil(params.soft_m / params.cell_size_m)));
+  }
+  return zones;
+}
+}  // namespace traverse::multi_lidar_grid
