@@ -102,7 +102,7 @@ std::vector<uint8_t> safetyBuffer(
   }
   if (params.strip == StripRule::standard)
   {
-    strip.leadOut();
+    strip.finish();
   }
   else if (params.strip == StripRule::paper)
   {

@@ -31,7 +31,8 @@ class Strip
   /** The zones of rows up to y are set; rows come in order, `before` is of row y - 1. */
   void addRow(size_t y, const layers::NearestRow& now, const layers::NearestRow& before);
 
-  void leadOut();
+  /** Leads the strips on and takes back those that are no way. */
+  void finish();
 
  private:
   /** A cell and its nearest obstacle, in cells. */
@@ -48,18 +49,27 @@ class Strip
     float distance;
     float farthest = 0;  // distance on the way here; 0: not reached
     size_t from = 0;     // the one before on that way
+    bool is_seed = false;
+    bool is_counted = false;
   };
 
+  bool isSoft(size_t cell) const;
+  static bool isClear(const Side& a, const Side& b, int64_t apart_squared);
   static bool differ(const Side& a, const Side& b);
   void addPair(const Side& a, const Side& b, int32_t step_x, int32_t step_y);
   void mark(const Side& side, uint8_t zone);
   void sortRidge();
+  void leadOut();
+  std::vector<size_t> pieceFrom(size_t seed);
+  bool isWay(const std::vector<size_t>& piece) const;
   size_t ridgeAt(size_t cell) const;
   bool isBesideFree(size_t cell) const;
   void cutBackFrom(size_t at);
 
   template <class F>
   void forEachNeighbour(size_t cell, F&& f) const;
+  template <class F>
+  void forEachCorner(size_t cell, F&& f) const;
 
   Buffer buffer_;
   int32_t least_apart_squared_;
