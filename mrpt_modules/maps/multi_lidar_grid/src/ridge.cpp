@@ -6,50 +6,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace traverse::multi_lidar_grid
 {
 namespace
 {
-constexpr auto kNone = static_cast<uint8_t>(layers::BufferZone::none);
 constexpr auto kSoft = static_cast<uint8_t>(layers::BufferZone::soft);
-constexpr auto kHard = static_cast<uint8_t>(layers::BufferZone::hard);
 constexpr auto kStrip = static_cast<uint8_t>(layers::BufferZone::strip);
-constexpr auto kUnknown = static_cast<uint8_t>(layers::OccupancyState::unknown);
 constexpr uint8_t kPerhaps = 255;  // soft, and may become strip
 
 // Distances along the middle of a corridor go up and down by so much, as its walls fall on cells.
 constexpr float kSlack_cells = 1;
 
-// Where the buffers of two posts just touch, they do over 7 cells (of 15).
-constexpr int32_t kLeastPassage_cells = 4;
-
-/** Sides of the rectangle around some cells. */
-class Extent
+/** Obstacles are about as far away: a strip is not joined to the dents of its walls. */
+bool areAlike(float a, float b)
 {
- public:
-  void add(int32_t x, int32_t y)
-  {
-    min_x_ = std::min(min_x_, x);
-    max_x_ = std::max(max_x_, x);
-    min_y_ = std::min(min_y_, y);
-    max_y_ = std::max(max_y_, y);
-  }
-
-  /** 0 for no cell. */
-  int32_t longest() const
-  {
-    return min_x_ > max_x_ ? 0 : std::max(max_x_ - min_x_, max_y_ - min_y_) + 1;
-  }
-
- private:
-  int32_t min_x_ = std::numeric_limits<int32_t>::max();
-  int32_t max_x_ = std::numeric_limits<int32_t>::min();
-  int32_t min_y_ = std::numeric_limits<int32_t>::max();
-  int32_t max_y_ = std::numeric_limits<int32_t>::min();
-};
+  return std::min(a, b) >= 0.7F * std::max(a, b);
+}
 
 /** Which strips are one. */
 class Joined
@@ -83,11 +57,6 @@ class Joined
 };
 }  // namespace
 
-bool Buffer::isSoft(size_t cell) const
-{
-  return zones[cell] != kNone && zones[cell] != kHard;
-}
-
 void Ridge::add(size_t cell, int32_t squared_distance, bool is_strip)
 {
   uint8_t& zone = buffer_.zones[cell];
@@ -120,58 +89,6 @@ size_t Ridge::at(size_t cell) const
       std::lower_bound(cells_.begin(), cells_.end(), cell, before) - cells_.begin());
 }
 
-template <class F>
-void Ridge::forEachNeighbour(size_t cell, F&& f) const
-{
-  const size_t x = cell % buffer_.columns;
-  if (cell >= buffer_.columns)
-  {
-    f(cell - buffer_.columns);
-  }
-  if (x > 0)
-  {
-    f(cell - 1);
-  }
-  if (x + 1 < buffer_.columns)
-  {
-    f(cell + 1);
-  }
-  if (cell + buffer_.columns < buffer_.zones.size())
-  {
-    f(cell + buffer_.columns);
-  }
-}
-
-/** The neighbours across corners. */
-template <class F>
-void Ridge::forEachCorner(size_t cell, F&& f) const
-{
-  forEachNeighbour(
-      cell,
-      [&](size_t side)
-      {
-        const bool is_in_column = side + buffer_.columns == cell || side == cell + buffer_.columns;
-        const size_t x = side % buffer_.columns;
-        if (is_in_column && x > 0)
-        {
-          f(side - 1);
-        }
-        if (is_in_column && x + 1 < buffer_.columns)
-        {
-          f(side + 1);
-        }
-      });
-}
-
-bool Ridge::isBesideFree(size_t cell) const
-{
-  bool found = false;
-  forEachNeighbour(
-      cell, [&](size_t next)
-      { found |= buffer_.zones[next] == kNone && buffer_.states[next] != kUnknown; });
-  return found;
-}
-
 /** The way by which a search came becomes strip. */
 void Ridge::cutBackFrom(size_t at)
 {
@@ -194,46 +111,6 @@ std::vector<size_t> Ridge::strips() const
   return found;
 }
 
-/** All that hang together with one of a strip, by sides and corners. */
-void Ridge::label(size_t seed, uint32_t label)
-{
-  std::vector<size_t> open = {seed};
-  cells_[seed].label = label;
-  const auto add = [&](size_t cell)
-  {
-    if (buffer_.zones[cell] == kStrip && cells_[at(cell)].label == 0)
-    {
-      open.push_back(at(cell));
-      cells_[open.back()].label = label;
-    }
-  };
-  while (!open.empty())
-  {
-    const size_t cell = cells_[open.back()].cell;
-    open.pop_back();
-    forEachNeighbour(cell, add);
-    forEachCorner(cell, add);
-  }
-}
-
-/** Returns the number of labels, with the 0 of all others. */
-uint32_t Ridge::labelStrips()
-{
-  for (Cell& cell : cells_)
-  {
-    cell.label = 0;
-  }
-  uint32_t labels = 1;
-  for (const size_t i : strips())
-  {
-    if (cells_[i].label == 0)
-    {
-      label(i, labels++);
-    }
-  }
-  return labels;
-}
-
 /** Ragged walls have gaps in a strip: from all strips at once, over what may be ridge, as far as
  * the obstacles are away there; where two searches meet, they become one strip. */
 void Ridge::joinStrips(uint32_t labels)
@@ -241,6 +118,11 @@ void Ridge::joinStrips(uint32_t labels)
   Joined joined(labels);
   std::vector<size_t> open = strips();
   std::vector<float> steps(cells_.size());
+  std::vector<float> distances(cells_.size());  // where the way began
+  for (const size_t i : open)
+  {
+    distances[i] = cells_[i].distance;
+  }
   for (size_t next = 0; next < open.size(); ++next)
   {
     const size_t here = open[next];
@@ -253,15 +135,18 @@ void Ridge::joinStrips(uint32_t labels)
         cells_[there].label = cells_[here].label;
         cells_[there].from = here;
         steps[there] = steps[here] + 1;
+        distances[there] = distances[here];
         open.push_back(there);
       }
-      else if (cells_[there].label != 0 && joined.join(cells_[here].label, cells_[there].label))
+      else if (
+          cells_[there].label != 0 && areAlike(distances[here], distances[there]) &&
+          joined.join(cells_[here].label, cells_[there].label))
       {
         cutBackFrom(here);
         cutBackFrom(there);
       }
     };
-    forEachNeighbour(
+    buffer_.forEachNeighbour(
         cells_[here].cell,
         [&](size_t cell)
         {
@@ -285,12 +170,12 @@ void Ridge::leadOut()
   for (size_t next = 0; next < open.size(); ++next)
   {
     const size_t here = open[next];
-    if (isBesideFree(cells_[here].cell))
+    if (buffer_.isBesideFree(cells_[here].cell))
     {
       cutBackFrom(here);
       continue;
     }
-    forEachNeighbour(
+    buffer_.forEachNeighbour(
         cells_[here].cell,
         [&](size_t cell)
         {
@@ -303,50 +188,6 @@ void Ridge::leadOut()
             open.push_back(there);
           }
         });
-  }
-}
-
-/** A strip is a way where it is longer than wide, or leads from the open to the open. Others are
- * dents of one obstacle. */
-bool Ridge::isWay(std::span<const size_t> strip) const
-{
-  Extent seeds;
-  Extent exits;
-  float distance = 0;
-  for (const size_t i : strip)
-  {
-    const auto x = static_cast<int32_t>(cells_[i].cell % buffer_.columns);
-    const auto y = static_cast<int32_t>(cells_[i].cell / buffer_.columns);
-    if (cells_[i].is_seed)
-    {
-      seeds.add(x, y);
-      distance = std::max(distance, cells_[i].distance);
-    }
-    if (isBesideFree(cells_[i].cell))
-    {
-      exits.add(x, y);
-    }
-  }
-  return static_cast<float>(seeds.longest()) >= 2 * distance ||
-         exits.longest() >= kLeastPassage_cells;
-}
-
-void Ridge::dropDents(uint32_t labels)
-{
-  std::vector<std::vector<size_t>> by_label(labels);
-  for (const size_t i : strips())
-  {
-    by_label[cells_[i].label].push_back(i);
-  }
-  for (const std::vector<size_t>& strip : by_label)
-  {
-    if (!isWay(strip))
-    {
-      for (const size_t i : strip)
-      {
-        buffer_.zones[cells_[i].cell] = kSoft;
-      }
-    }
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "buffer.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,16 +11,6 @@
 
 namespace traverse::multi_lidar_grid
 {
-/** A grid and its buffer, of which strips are cut; rows of `columns` cells. */
-struct Buffer
-{
-  std::span<const uint8_t> states;  //!< codes of layers::OccupancyState
-  std::span<uint8_t> zones;         //!< codes of layers::BufferZone
-  size_t columns = 1;
-
-  bool isSoft(size_t cell) const;
-};
-
 /** The soft cells between two obstacles: those that are strip, and those that may become so. While
  * cells are added their zones have codes of its own. */
 class Ridge
@@ -54,12 +46,6 @@ class Ridge
   void cutBackFrom(size_t at);
   std::vector<size_t> strips() const;
   size_t at(size_t cell) const;
-  bool isBesideFree(size_t cell) const;
-
-  template <class F>
-  void forEachNeighbour(size_t cell, F&& f) const;
-  template <class F>
-  void forEachCorner(size_t cell, F&& f) const;
 
   Buffer buffer_;
   std::vector<Cell> cells_;
