@@ -62,31 +62,15 @@ void Ridge::add(size_t cell, int32_t squared_distance, bool is_strip)
   uint8_t& zone = buffer_.zones[cell];
   if (zone == kSoft)
   {
+    index_[cell] = static_cast<uint32_t>(cells_.size());
     cells_.push_back({cell, std::sqrt(static_cast<float>(squared_distance))});
     zone = kPerhaps;
   }
   if (zone == kPerhaps && is_strip)
   {
     zone = kStrip;
+    cells_[index_[cell]].is_seed = true;
   }
-}
-
-/** By cell, for at(). */
-void Ridge::sort()
-{
-  std::sort(
-      cells_.begin(), cells_.end(), [](const Cell& a, const Cell& b) { return a.cell < b.cell; });
-  for (Cell& cell : cells_)
-  {
-    cell.is_seed = buffer_.zones[cell.cell] == kStrip;
-  }
-}
-
-size_t Ridge::at(size_t cell) const
-{
-  const auto before = [](const Cell& ridge, size_t key) { return ridge.cell < key; };
-  return static_cast<size_t>(
-      std::lower_bound(cells_.begin(), cells_.end(), cell, before) - cells_.begin());
 }
 
 /** The way by which a search came becomes strip. */
@@ -128,7 +112,7 @@ void Ridge::joinStrips(uint32_t labels)
     const size_t here = open[next];
     const auto meet = [&](size_t cell)
     {
-      const size_t there = at(cell);
+      const size_t there = index_[cell];
       const bool is_far = steps[here] + 1 > cells_[here].distance;
       if (cells_[there].label == 0 && !is_far)
       {
@@ -179,7 +163,7 @@ void Ridge::leadOut()
         cells_[here].cell,
         [&](size_t cell)
         {
-          const size_t there = buffer_.zones[cell] == kPerhaps ? at(cell) : here;
+          const size_t there = buffer_.zones[cell] == kPerhaps ? index_[cell] : here;
           const float farthest = cells_[here].farthest;
           if (cells_[there].farthest == 0 && cells_[there].distance >= farthest - kSlack_cells)
           {
@@ -193,7 +177,6 @@ void Ridge::leadOut()
 
 void Ridge::finish()
 {
-  sort();
   joinStrips(labelStrips());
   leadOut();
   for (const Cell& ridge : cells_)

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace traverse::multi_lidar_grid
 class Ridge
 {
  public:
-  explicit Ridge(const Buffer& buffer) : buffer_(buffer) {}
+  explicit Ridge(const Buffer& buffer) : buffer_(buffer), index_(new uint32_t[buffer.zones.size()])
+  {
+  }
 
   /** Nothing happens to cells that are not soft. */
   void add(size_t cell, int32_t squared_distance, bool is_strip);
@@ -36,7 +39,6 @@ class Ridge
     bool is_seed = false;  // strip by itself
   };
 
-  void sort();
   uint32_t labelStrips();
   void label(size_t seed, uint32_t label);
   void joinStrips(uint32_t labels);
@@ -45,9 +47,9 @@ class Ridge
   void dropDents(uint32_t labels);
   void cutBackFrom(size_t at);
   std::vector<size_t> strips() const;
-  size_t at(size_t cell) const;
 
   Buffer buffer_;
   std::vector<Cell> cells_;
+  std::unique_ptr<uint32_t[]> index_;  // in cells_, of those in it; others' memory is not touched
 };
 }  // namespace traverse::multi_lidar_grid

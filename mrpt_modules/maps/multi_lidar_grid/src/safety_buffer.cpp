@@ -45,11 +45,12 @@ int32_t squaredCells(double width_m, double cell_size_m)
 std::vector<uint8_t> obstaclesOf(std::span<const uint8_t> states)
 {
   std::vector<uint8_t> is_obstacle(states.size());
+  uint8_t* const out = is_obstacle.data();
   for (size_t i = 0; i < states.size(); ++i)
   {
     const bool is_one = states[i] == static_cast<uint8_t>(OccupancyState::obstacle) ||
                         states[i] == static_cast<uint8_t>(OccupancyState::negative);
-    is_obstacle[i] = is_one ? 1 : 0;
+    out[i] = is_one ? 1 : 0;
   }
   return is_obstacle;
 }
@@ -66,13 +67,17 @@ void setZones(
     const Limits& limits,
     std::span<uint8_t> zones)
 {
-  for (size_t x = 0; x < zones.size(); ++x)
+  uint8_t* const zone_of = zones.data();  // bytes: not known to the compiler not to be the rest
+  const int32_t* const squared_of = nearest.squared.data();
+  const Limits limit = limits;
+  const size_t columns = zones.size();
+  for (size_t x = 0; x < columns; ++x)
   {
-    const int32_t squared = nearest.squared[x];
-    const BufferZone outer = squared <= limits.soft_squared ? BufferZone::soft : BufferZone::none;
-    const BufferZone zone = squared <= limits.hard_squared ? BufferZone::hard : outer;
+    const int32_t squared = squared_of[x];
+    const BufferZone outer = squared <= limit.soft_squared ? BufferZone::soft : BufferZone::none;
+    const BufferZone zone = squared <= limit.hard_squared ? BufferZone::hard : outer;
     const bool is_known = states[x] != static_cast<uint8_t>(OccupancyState::unknown);
-    zones[x] = is_known ? static_cast<uint8_t>(zone) : uint8_t{0};
+    zone_of[x] = is_known ? static_cast<uint8_t>(zone) : uint8_t{0};
   }
 }
 }  // namespace

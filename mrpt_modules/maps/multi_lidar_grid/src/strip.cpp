@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace traverse::multi_lidar_grid
 {
@@ -12,6 +13,17 @@ namespace
 // Obstacle cells nearer to each other than this are one thing to any vehicle; their gap would be a
 // matter of how a wall falls on the cells.
 constexpr int64_t kLeastApart_cells = 3;
+
+constexpr double kHalfDiagonal = 0.7;  // of a unit square, rounded down
+
+constexpr uint8_t kLeft = 1;
+constexpr uint8_t kBelow = 2;
+constexpr size_t kWord = sizeof(uint64_t);
+
+size_t roundedUp(size_t n)
+{
+  return (n + kWord - 1) / kWord * kWord;
+}
 
 int64_t squared(int64_t v)
 {
@@ -28,7 +40,8 @@ bool isOnBisector(int64_t difference, int64_t apart_squared)
 
 Strip::Strip(const Buffer& buffer, int32_t hard_squared) :
     buffer_(buffer),
-    least_apart_squared_(std::max<int64_t>(squared(kLeastApart_cells), hard_squared)),
+    least_apart_(static_cast<int16_t>(
+        std::max(kLeastApart_cells * kHalfDiagonal, std::sqrt(hard_squared) * kHalfDiagonal))),
     wide_apart_squared_(std::max<int64_t>(squared(kLeastApart_cells), 4 * int64_t{hard_squared})),
     ridge_(buffer)
 {
@@ -52,9 +65,13 @@ bool Strip::differ(const Side& a, const Side& b, int64_t apart_squared)
 /** b lies (step_x, step_y) from a. */
 void Strip::addPair(const Side& a, const Side& b, int32_t step_x, int32_t step_y)
 {
+  if (a.squared == layers::NearestRow::kNone || b.squared == layers::NearestRow::kNone ||
+      !(buffer_.isSoft(a.cell) || buffer_.isSoft(b.cell)))
+  {
+    return;
+  }
   const int64_t apart_squared = squared(b.dx + step_x - a.dx) + squared(b.dy + step_y - a.dy);
-  if (apart_squared < least_apart_squared_ || a.squared == layers::NearestRow::kNone ||
-      b.squared == layers::NearestRow::kNone)
+  if (apart_squared < squared(kLeastApart_cells))
   {
     return;
   }
@@ -72,23 +89,56 @@ void Strip::addPair(const Side& a, const Side& b, int32_t step_x, int32_t step_y
   }
 }
 
+/** Which pairs with a cell may have obstacles that lie apart, by the longer of columns and rows
+ * between these: kLeft, kBelow. Most have not. */
+void Strip::findApart(const layers::NearestRow& now, const layers::NearestRow& before)
+{
+  const auto longer = [](int across, int along)
+  { return static_cast<int16_t>(std::max(std::abs(across), std::abs(along))); };
+  const int16_t least = least_apart_;
+  const size_t columns = buffer_.columns;
+  apart_.assign(roundedUp(columns), 0);
+  uint8_t* const marks = apart_.data();  // bytes: not known to the compiler not to be the vectors
+  const int16_t* const dx = now.dx.data();
+  const int16_t* const dy = now.dy.data();
+  for (size_t x = 1; x < columns; ++x)
+  {
+    marks[x] = longer(dx[x] - dx[x - 1] + 1, dy[x] - dy[x - 1]) >= least ? kLeft : uint8_t{0};
+  }
+  if (before.dx.size() != columns)
+  {
+    return;
+  }
+  const int16_t* const dx_before = before.dx.data();
+  const int16_t* const dy_before = before.dy.data();
+  for (size_t x = 0; x < columns; ++x)
+  {
+    const bool is_apart = longer(dx[x] - dx_before[x], dy[x] - dy_before[x] + 1) >= least;
+    marks[x] = static_cast<uint8_t>(marks[x] | (is_apart ? kBelow : uint8_t{0}));
+  }
+}
+
 void Strip::addRow(size_t y, const layers::NearestRow& now, const layers::NearestRow& before)
 {
+  findApart(now, before);
   const size_t begin = y * buffer_.columns;
   const auto side = [](const layers::NearestRow& row, size_t row_begin, size_t x) {
     return Side{row_begin + x, row.squared[x], row.dx[x], row.dy[x]};
   };
-  for (size_t x = 0; x < buffer_.columns; ++x)
+  for (size_t word = 0; word < apart_.size(); word += kWord)
   {
-    const size_t cell = begin + x;
-    const bool is_soft = buffer_.isSoft(cell);
-    if (x > 0 && (is_soft || buffer_.isSoft(cell - 1)))
+    uint64_t any = 0;
+    std::memcpy(&any, &apart_[word], kWord);
+    for (size_t x = word; any != 0 && x < word + kWord; ++x)
     {
-      addPair(side(now, begin, x - 1), side(now, begin, x), 1, 0);
-    }
-    if (y > 0 && (is_soft || buffer_.isSoft(cell - buffer_.columns)))
-    {
-      addPair(side(before, begin - buffer_.columns, x), side(now, begin, x), 0, 1);
+      if ((apart_[x] & kLeft) != 0)
+      {
+        addPair(side(now, begin, x - 1), side(now, begin, x), 1, 0);
+      }
+      if ((apart_[x] & kBelow) != 0)
+      {
+        addPair(side(before, begin - buffer_.columns, x), side(now, begin, x), 0, 1);
+      }
     }
   }
 }

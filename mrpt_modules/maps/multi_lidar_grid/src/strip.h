@@ -6,6 +6,8 @@
 
 #include <traverse/layers/distance_transform.h>
 
+#include <vector>
+
 namespace traverse::multi_lidar_grid
 {
 /** strip = default. Where the directions to the nearest obstacle of two neighbouring cells differ
@@ -30,12 +32,14 @@ class Strip
   };
 
   static bool differ(const Side& a, const Side& b, int64_t apart_squared);
+  void findApart(const layers::NearestRow& now, const layers::NearestRow& before);
   void addPair(const Side& a, const Side& b, int32_t step_x, int32_t step_y);
 
   Buffer buffer_;
-  int64_t least_apart_squared_;
+  int16_t least_apart_;
   int64_t wide_apart_squared_;
   Ridge ridge_;
+  std::vector<uint8_t> apart_;
 };
 
 /** strip = paper: soft cells where the Laplacian (5 x 5, scale 1/48) of the distance to the hard

@@ -49,9 +49,9 @@ void Ridge::label(size_t seed, uint32_t label)
   cells_[seed].label = label;
   const auto add = [&](size_t cell)
   {
-    if (buffer_.zones[cell] == kStrip && cells_[at(cell)].label == 0)
+    if (buffer_.zones[cell] == kStrip && cells_[index_[cell]].label == 0)
     {
-      open.push_back(at(cell));
+      open.push_back(index_[cell]);
       cells_[open.back()].label = label;
     }
   };
