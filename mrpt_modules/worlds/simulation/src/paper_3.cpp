@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paper_3.h"
 
+#include "paper_5.h"
 #include "refuse.h"
 
 #include <algorithm>
@@ -18,25 +19,6 @@ double halfWay(const SceneExtentParams& e)
   const double x = e.max_x_m - e.min_x_m;
   const double y = e.max_y_m - e.min_y_m;
   return std::sqrt(x * x + y * y) * 0.75;
-}
-
-void checkDrive(const SceneParams& scene)
-{
-  constexpr double kBorder_m = 2;
-  const SceneExtentParams& e = scene.extent;
-  for (size_t i = 0; i < scene.drive_xs_m.size(); ++i)
-  {
-    const double x = scene.drive_xs_m[i];
-    const double y = scene.drive_ys_m[i];
-    const bool inside = x >= e.min_x_m + kBorder_m && x <= e.max_x_m - kBorder_m &&
-                        y >= e.min_y_m + kBorder_m && y <= e.max_y_m - kBorder_m;
-    if (!inside)
-    {
-      refuse(
-          "drive_m", scene.random.drive_m,
-          "a way that fits into the area of [Scene] wherever it begins (20 m less than its sides)");
-    }
-  }
 }
 }  // namespace
 
@@ -121,16 +103,24 @@ void Paper3::follow(TerrainParams& strip, double from_m, double to_m, double lef
 SceneParams generate(const SceneParams& fixed, uint64_t seed)
 {
   SceneParams scene = fixed;
-  if (fixed.random.style == RandomStyle::paper_3)
+  if (fixed.random.style == RandomStyle::none)
   {
-    inSection(
-        "Random",
-        [&]
-        {
-          options::check(fixed.random);
-          Paper3(scene, seed).addAll();
-        });
+    return scene;
   }
+  inSection(
+      "Random",
+      [&]
+      {
+        options::check(fixed.random);
+        if (fixed.random.style == RandomStyle::paper_3)
+        {
+          Paper3(scene, seed).addAll();
+        }
+        else
+        {
+          Paper5(scene, seed).addAll();
+        }
+      });
   return scene;
 }
 }  // namespace traverse::simulation

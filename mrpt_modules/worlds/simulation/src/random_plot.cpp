@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "random_plot.h"
 
+#include "refuse.h"
+
 #include <traverse/geometry/exact_trig.h>
 
 #include <algorithm>
@@ -64,6 +66,12 @@ Way::Way(Random& random, double half_m) : half_m_(half_m)
   half_m_ = lengthOf(line_) / 2;
 }
 
+Way::Way(const std::pair<std::vector<double>, std::vector<double>>& corners) :
+    line_(lineThrough(corners.first, corners.second, "the way"))
+{
+  half_m_ = lengthOf(line_) / 2;
+}
+
 Eigen::Vector2d Way::place(double along_m, double left_m) const
 {
   const Eigen::Vector2d unit = segmentAt(line_, along_m + half_m_).unit;
@@ -122,6 +130,25 @@ bool Plot::areFree(const std::vector<Disc>& discs, double from_way_m) const
 void Plot::take(const std::vector<Disc>& discs)
 {
   taken_.insert(taken_.end(), discs.begin(), discs.end());
+}
+
+void checkDrive(const SceneParams& scene)
+{
+  constexpr double kBorder_m = 2;
+  const SceneExtentParams& e = scene.extent;
+  for (size_t i = 0; i < scene.drive_xs_m.size(); ++i)
+  {
+    const double x = scene.drive_xs_m[i];
+    const double y = scene.drive_ys_m[i];
+    const bool inside = x >= e.min_x_m + kBorder_m && x <= e.max_x_m - kBorder_m &&
+                        y >= e.min_y_m + kBorder_m && y <= e.max_y_m - kBorder_m;
+    if (!inside)
+    {
+      refuse(
+          "drive_m", scene.random.drive_m,
+          "a way that fits into the area of [Scene] wherever it begins (20 m less than its sides)");
+    }
+  }
 }
 
 std::vector<Disc> discsAlong(

@@ -21,6 +21,9 @@ class Way
  public:
   Way(Random& random, double half_m);
 
+  /** Along these corners. */
+  explicit Way(const std::pair<std::vector<double>, std::vector<double>>& corners);
+
   /** A place along the way, and to its left. */
   Eigen::Vector2d place(double along_m, double left_m) const;
 
@@ -66,6 +69,9 @@ class Plot
   const Way& way_;
   std::vector<Disc> taken_;
 };
+
+/** Throws options::OptionError where the scene's drive does not lie within its area. */
+void checkDrive(const SceneParams& scene);
 
 /** Discs along a line of corners, close enough that nothing fits between. */
 std::vector<Disc> discsAlong(

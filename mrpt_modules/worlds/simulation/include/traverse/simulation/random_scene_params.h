@@ -18,6 +18,7 @@ enum class RandomStyle : uint8_t
 {
   none,     //!< nothing is added
   paper_3,  //!< a road through rolling fields in winter or spring
+  paper_5,  //!< a winding street between walls, cars and people
 };
 
 /** Section [Random]: what generate() adds. Numbers of things are means: a seed has between a half
@@ -44,6 +45,8 @@ struct RandomSceneParams
   int moving_vehicles = 1;
   int people = 3;
   int things = 3;
+  int holes = 2;
+  int overhangs = 2;
 
   friend bool operator==(const RandomSceneParams&, const RandomSceneParams&) = default;
 };
@@ -74,6 +77,8 @@ void visit(P& p, F&& f)
   f(Option{"moving_vehicles", "cars that drive", {0, 4}}, p.moving_vehicles);
   f(Option{"people", "people, most of them walking", {0, 50}}, p.people);
   f(Option{"things", "boxes, drums and round stones", {0, 100}}, p.things);
+  f(Option{"holes", "paper_5: holes at the roadside", {0, 20}}, p.holes);
+  f(Option{"overhangs", "paper_5: bridges and beams over the road", {0, 10}}, p.overhangs);
 }
 }  // namespace traverse::simulation
 
@@ -81,6 +86,6 @@ template <>
 struct traverse::options::EnumNames<traverse::simulation::RandomStyle>
 {
   using E = traverse::simulation::RandomStyle;
-  static constexpr std::array<std::pair<E, std::string_view>, 2> kNames = {
-      {{E::none, "none"}, {E::paper_3, "paper_3"}}};
+  static constexpr std::array<std::pair<E, std::string_view>, 3> kNames = {
+      {{E::none, "none"}, {E::paper_3, "paper_3"}, {E::paper_5, "paper_5"}}};
 };

@@ -1,0 +1,2 @@
+# Tests of how occupancy is judged.
+traverse_test(unit occupancy_score_test USES evaluation)
