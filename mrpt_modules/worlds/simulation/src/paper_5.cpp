@@ -30,6 +30,7 @@ constexpr double kBeyond_m = 36;  //!< the road goes on so far behind both ends 
 Corners windingLine(double length_m, Random random)
 {
   constexpr double kSteepest_rad = 0.8;
+  constexpr double kLongestBend_m = 35;
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
   double heading = 0;
   double aim = 0;
@@ -50,10 +51,11 @@ Corners windingLine(double length_m, Random random)
     }
     else
     {
+      const double radius_m = random.uniform(tightest_m, 2 * tightest_m);
       const double back = at.y() > 0 ? -1 : 1;
-      aim = back * random.uniform(0.15, kSteepest_rad);
-      bend = 1 / random.uniform(tightest_m, 2 * tightest_m);
-      straight_m = random.uniform(8, 40);
+      aim = back * random.uniform(0.3, 1) * std::min(kSteepest_rad, kLongestBend_m / radius_m);
+      bend = 1 / radius_m;
+      straight_m = random.uniform(8, 30);
     }
     const auto [s, c] = geometry::sinCosOf(heading);
     at += kStep_m * Eigen::Vector2d(c, s);
