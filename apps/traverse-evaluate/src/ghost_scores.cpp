@@ -7,6 +7,7 @@
 #include <traverse/formats/bytes.h>
 #include <traverse/formats/geotiff_read.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <set>
 #include <stdexcept>
@@ -18,6 +19,15 @@ namespace
 {
 using Cells = std::set<std::pair<int32_t, int32_t>>;
 
+/** Maps of states have another code for obstacles than those of classes. */
+uint8_t obstacleCode(const layers::LayerSet& set)
+{
+  const auto found = std::find_if(
+      set.legend.begin(), set.legend.end(),
+      [](const layers::LegendEntry& entry) { return entry.name == "obstacle"; });
+  return found == set.legend.end() ? evaluation::kObstacle : found->code;
+}
+
 /** The obstacles among these cells. */
 evaluation::ObstacleFrame frameOf(
     const Snapshot& snapshot, const Cells& cells, const layers::LayerSet& truth)
@@ -28,9 +38,10 @@ evaluation::ObstacleFrame frameOf(
   {
     evaluation::checkLattice(set, truth);
     const auto classes = evaluation::viewOf<uint8_t>(set, set.class_layer);
+    const uint8_t obstacle = obstacleCode(set);
     for (const auto& [x, y] : cells)
     {
-      if (classes.at({x, y}) == evaluation::kObstacle)
+      if (classes.at({x, y}) == obstacle)
       {
         frame.obstacles.push_back({x, y});
       }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -65,12 +66,37 @@ evaluation::OutlineScores outlinesOf(
   }
 }
 
+/** Maps of states have no classes of roughness. */
+bool isOfStates(const layers::LayerSet& map)
+{
+  return map.find("occupancy_state") != nullptr && map.find("traversability_class") == nullptr;
+}
+
+OccupancyScores occupancyOf(const layers::LayerSet& map, const layers::LayerSet& truth)
+{
+  OccupancyScores scores;
+  evaluation::OccupancyParams params;
+  params.ditch_radius_m = std::numeric_limits<double>::infinity();
+  scores.plain = evaluation::occupancyScore(map, truth, params);
+  params.tolerance_cells = 0;
+  scores.strict = evaluation::occupancyScore(map, truth, params);
+  return scores;
+}
+
 void compare(
     MapScores& scores,
     const layers::LayerSet& map,
     const TruthFolder& truth,
     const evaluation::ConfusionParams& params)
 {
+  if (isOfStates(map))
+  {
+    scores.occupancy = occupancyOf(map, truth.layers);
+    scores.not_compared = scores.occupancy->plain.unknown_free == scores.occupancy->plain.free_cells
+                              ? "it knows no cell of this truth"
+                              : "";
+    return;
+  }
   scores.not_compared = otherClasses(map, truth.layers);
   if (!scores.not_compared.empty())
   {

@@ -7,6 +7,7 @@
 #include <traverse/evaluation/confusion.h>
 #include <traverse/evaluation/ghosts.h>
 #include <traverse/evaluation/obstacles.h>
+#include <traverse/evaluation/occupancy_score.h>
 #include <traverse/evaluation/outlines.h>
 #include <traverse/evaluation/trajectory_errors.h>
 
@@ -17,17 +18,25 @@
 
 namespace traverse::app
 {
+/** A map of states (layer occupancy_state) against truth_state. */
+struct OccupancyScores
+{
+  evaluation::OccupancyScore plain;   //!< with one cell of tolerance
+  evaluation::OccupancyScore strict;  //!< cell by cell
+};
+
 /** One map of a run against the truth. */
 struct MapScores
 {
   std::string file;
-  std::string not_compared;  //!< why; empty where it was
+  std::string not_compared;                  //!< why; empty where it was
+  std::optional<OccupancyScores> occupancy;  //!< of maps of states, which have no classes
   evaluation::Confusion confusion;
   evaluation::ObstacleScore obstacles;
   evaluation::StateAgreement states;
   evaluation::OutlineScores outlines;            //!< of things with returns
   std::optional<evaluation::GhostScore> ghosts;  //!< where there are snapshots and moving things
-  layers::LayerSet verdicts;
+  layers::LayerSet verdicts;                     //!< of maps of classes
 };
 
 /** The run's poses against the true ones. */

@@ -98,6 +98,20 @@ Json ghostsJson(const evaluation::GhostScore& g)
       {"worst_s", g.percentile_s(1)}};
 }
 
+Json occupancyJson(const evaluation::OccupancyScore& o)
+{
+  return {
+      {"obstacles", o.obstacles},
+      {"obstacle_recall", o.obstacleRecall()},
+      {"false_obstacle_rate", o.falseObstacleRate()},
+      {"false_ditch_rate", o.falseDitchRate()},
+      {"free_iou", o.freeIou()},
+      {"ditches", o.ditches},
+      {"ditch_recall", o.ditchRecall()},
+      {"ditch_as_free_rate", o.ditchAsFreeRate()},
+      {"unknown_share_of_free", o.blindShare()}};
+}
+
 Json mapJson(const MapScores& map)
 {
   Json json{{"file", map.file}};
@@ -106,10 +120,18 @@ Json mapJson(const MapScores& map)
     json["not_compared"] = map.not_compared;
     return json;
   }
-  json["classes"] = confusionJson(map.confusion);
-  json["obstacles"] = obstaclesJson(map.obstacles);
-  json["states"] = statesJson(map.states);
-  json["outlines"] = outlinesJson(map.outlines);
+  if (map.occupancy)
+  {
+    json["occupancy"] = occupancyJson(map.occupancy->plain);
+    json["occupancy_strict"] = occupancyJson(map.occupancy->strict);
+  }
+  else
+  {
+    json["classes"] = confusionJson(map.confusion);
+    json["obstacles"] = obstaclesJson(map.obstacles);
+    json["states"] = statesJson(map.states);
+    json["outlines"] = outlinesJson(map.outlines);
+  }
   if (map.ghosts)
   {
     json["ghosts"] = ghostsJson(*map.ghosts);

@@ -107,14 +107,36 @@ formats::Table ghostTable(const evaluation::GhostScore& ghosts)
        {"still obstacles at the end, or when something came again", count(ghosts.never_cleared)}}};
 }
 
-void addMap(formats::Section& section, const MapScores& map)
+formats::Table occupancyTable(const OccupancyScores& scores)
 {
-  if (!map.not_compared.empty())
+  const auto row = [&](const std::string& what, auto figure)
   {
-    section.blocks.emplace_back(
-        formats::Notice{map.file + " was not compared: " + map.not_compared});
-    return;
-  }
+    return std::vector<std::string>{
+        what, percent((scores.plain.*figure)()), percent((scores.strict.*figure)())};
+  };
+  using Score = evaluation::OccupancyScore;
+  return {
+      "Obstacles, ditches, and what is free",
+      {"what", "within a cell", "cell by cell"},
+      {row("true obstacle cells that were found, of those known", &Score::obstacleRecall),
+       row("true free cells that are obstacles, of those known", &Score::falseObstacleRate),
+       row("true free cells that are ditches, of those known", &Score::falseDitchRate),
+       row("free in both, of what is free in one of map and truth", &Score::freeIou),
+       row("true ditch cells that were found", &Score::ditchRecall),
+       row("true ditch cells that are free", &Score::ditchAsFreeRate),
+       row("true free cells that are unknown", &Score::blindShare)}};
+}
+
+void addOccupancy(formats::Section& section, const MapScores& map)
+{
+  section.blocks.emplace_back(formats::Paragraph{
+      map.file + ": " + count(map.occupancy->plain.obstacles) + " true obstacle cells and " +
+      count(map.occupancy->plain.known_free) + " true free cells judged."});
+  section.blocks.emplace_back(occupancyTable(*map.occupancy));
+}
+
+void addClasses(formats::Section& section, const MapScores& map)
+{
   const evaluation::ClassScores scores = evaluation::scoresOf(map.confusion);
   section.blocks.emplace_back(formats::Paragraph{
       map.file + ": " + count(map.confusion.total()) + " cells judged, " +
@@ -133,6 +155,24 @@ void addMap(formats::Section& section, const MapScores& map)
   section.blocks.emplace_back(classTable(scores));
   section.blocks.emplace_back(confusionTable(map.confusion));
   section.blocks.emplace_back(obstacleTable(map));
+}
+
+void addMap(formats::Section& section, const MapScores& map)
+{
+  if (!map.not_compared.empty())
+  {
+    section.blocks.emplace_back(
+        formats::Notice{map.file + " was not compared: " + map.not_compared});
+    return;
+  }
+  if (map.occupancy)
+  {
+    addOccupancy(section, map);
+  }
+  else
+  {
+    addClasses(section, map);
+  }
   if (map.ghosts)
   {
     section.blocks.emplace_back(ghostTable(*map.ghosts));
