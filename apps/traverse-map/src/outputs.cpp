@@ -55,7 +55,8 @@ void Outputs::writeLayers(const BuiltMap& map, const layers::LayerSet& set)
     write(fmt::format("{}{}.tif", layer.name, map.file_suffix), formats::geoTiff(set, layer));
   }
   const std::string class_name = set.class_layer + map.file_suffix;
-  const formats::OccupancyImage classes = formats::occupancyOfClasses(set, class_name + ".pgm");
+  const formats::OccupancyImage classes =
+      formats::occupancyOfClasses(set, class_name + ".pgm", {set.blocked_codes, {0}});
   write(class_name + ".pgm", classes.pgm);
   write(class_name + ".yaml", classes.yaml);
   if (const layers::Layer* index = set.find("traversability_index"))

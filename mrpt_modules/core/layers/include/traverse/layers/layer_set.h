@@ -45,6 +45,7 @@ struct LayerSet
   std::vector<Layer> layers;
   std::string class_layer;  //!< name of the layer that pictures show
   std::vector<LegendEntry> legend;
+  std::vector<uint8_t> blocked_codes = {4};  //!< of the class layer: where nothing drives
 
   /** nullptr where there is no such layer. */
   const Layer* find(std::string_view name) const;

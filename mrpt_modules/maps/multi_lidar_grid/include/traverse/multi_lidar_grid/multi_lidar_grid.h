@@ -34,15 +34,22 @@ void advance(State& state, poses::TimeNs now, const Params& params);
  */
 layers::OccupancyState stronger(layers::OccupancyState a, layers::OccupancyState b);
 
-/** The map's layers in a window (by default the region): occupancy_state (layers::OccupancyState),
- * occupancy_latest (the same, of the latest cloud of each sensor that is not silent), sensor_mask
- * (which of those see the cell, a bit each), free_height (m, known free up to here over the ground;
- * NaN where not free), ground_height (m), last_seen_age (s), safety_buffer (layers::BufferZone). */
+/** The map's layers in a window (by default the region, no cells where the map is empty); cells
+ * outside the region are unknown. Of the accumulated map: occupancy_state (layers::OccupancyState),
+ * sensor_mask (which sensors said so, a bit each), free_height (m, known free up to here over the
+ * ground; NaN where not free), ground_height (m), last_seen_age (s; NaN where unknown),
+ * safety_buffer (layers::BufferZone). Of the latest cloud of each sensor that is not silent:
+ * occupancy_latest and latest_mask. For pictures, the class layer: occupancy_view, which is
+ * occupancy_state but 5 where several sensors saw a free cell.
+ *
+ * Throws std::length_error for more than kMostLayerCells. */
 layers::LayerSet layerSet(
     const State& state,
     const Params& params,
     const geometry::Vehicle& vehicle,
     std::optional<geometry::CellRect> window = std::nullopt);
+
+inline constexpr int64_t kMostLayerCells = 100'000'000;
 
 inline constexpr std::string_view kArchiveKind = "multi_lidar_grid";
 inline constexpr uint32_t kArchiveVersion = 1;

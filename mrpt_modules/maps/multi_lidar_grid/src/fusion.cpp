@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/multi_lidar_grid/fusion.h>
+#include <traverse/multi_lidar_grid/multi_lidar_grid.h>
+
+#include <algorithm>
+
+namespace traverse::multi_lidar_grid
+{
+namespace
+{
+void add(const UnitMap& unit, uint32_t bit, LatestMap& map)
+{
+  const geometry::CellRect known = common(common(map.extent, unit.touched), unit.cells.region());
+  const auto width = static_cast<size_t>(map.extent.width());
+  unit.cells.forEachIn(
+      known,
+      [&](geometry::CellIndex c, const UnitCell& cell)
+      {
+        if (cell.state == layers::OccupancyState::unknown)
+        {
+          return;
+        }
+        const size_t i = static_cast<size_t>(c.y - map.extent.min.y) * width +
+                         static_cast<size_t>(c.x - map.extent.min.x);
+        const auto before = static_cast<layers::OccupancyState>(map.states[i]);
+        map.states[i] = static_cast<uint8_t>(stronger(before, cell.state));
+        map.seen_by[i] |= bit;
+      });
+}
+}  // namespace
+
+geometry::CellRect common(const geometry::CellRect& a, const geometry::CellRect& b)
+{
+  const geometry::CellRect both{
+      {std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+      {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+  return both.max.x > both.min.x && both.max.y > both.min.y ? both : geometry::CellRect{};
+}
+
+bool counts(const Sensor& sensor, const State& state, const Params& params)
+{
+  const Health health = state.sensors.healthOf(sensor, state.now, params);
+  return sensor.has_cloud && health != Health::stale && health != Health::dead;
+}
+
+LatestMap fuseLatest(const State& state, const Params& params, const geometry::CellRect& window)
+{
+  LatestMap map;
+  map.extent = window.empty() ? geometry::CellRect{} : window;
+  const size_t size =
+      static_cast<size_t>(map.extent.width()) * static_cast<size_t>(map.extent.height());
+  map.states.assign(size, 0);
+  map.seen_by.assign(size, 0);
+  for (const Sensor& sensor : state.sensors.all())
+  {
+    if (counts(sensor, state, params))
+    {
+      add(sensor.latest, state.sensors.bitOf(sensor), map);
+    }
+  }
+  return map;
+}
+}  // namespace traverse::multi_lidar_grid
