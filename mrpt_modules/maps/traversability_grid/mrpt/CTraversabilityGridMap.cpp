@@ -1,21 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/maps/CTraversabilityGridMap.h>
-#include <traverse/observations/convert.h>
-#include <traverse/observations/to_scan.h>
 #include <traverse/traversability_grid/explain.h>
 #include <traverse/traversability_grid/point_labels.h>
 
-#include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/obs/CObservation3DRangeScan.h>
-#include <mrpt/obs/CObservationPointCloud.h>
-#include <mrpt/obs/CObservationRotatingScan.h>
-#include <mrpt/obs/CObservationVelodyneScan.h>
-#include <mrpt/tfest/TMatchingPair.h>
-
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 
 namespace traverse::maps
 {
@@ -146,76 +136,9 @@ void CTraversabilityGridMap::internal_clear()
   octree_ = formats::PointOctree(octomapOptions);
 }
 
-bool CTraversabilityGridMap::internal_insertObservation(
-    const mrpt::obs::CObservation& observation,
-    const std::optional<const mrpt::poses::CPose3D>& robot_pose)
+double CTraversabilityGridMap::logLikelihoodOf(
+    const points::Scan& scan, const Eigen::Isometry3d& T_map_base) const
 {
-  const observations::ScanResult result = observations::toScan(observation, sensors);
-  if (result.outcome != observations::Outcome::scan)
-  {
-    return false;
-  }
-  const Eigen::Isometry3d T_map_base =
-      robot_pose ? observations::toIsometry(*robot_pose) : Eigen::Isometry3d::Identity();
-  return insertScan(result.decoded.view(), poses::PoseTrack::constant(T_map_base)).inserted;
-}
-
-double CTraversabilityGridMap::internal_computeObservationLikelihood(
-    const mrpt::obs::CObservation& observation, const mrpt::poses::CPose3D& taken_from) const
-{
-  if (state_.empty() || !internal_canComputeObservationLikelihood(observation))
-  {
-    return 0;
-  }
-  const observations::ScanResult result = observations::toScan(observation, sensors);
-  return traversability_grid::logLikelihood(
-      state_, result.decoded.view(), observations::toIsometry(taken_from), likelihoodOptions);
-}
-
-bool CTraversabilityGridMap::internal_canComputeObservationLikelihood(
-    const mrpt::obs::CObservation& observation) const
-{
-  using namespace mrpt::obs;  // NOLINT(google-build-using-namespace): CLASS_ID pastes bare names
-  const mrpt::rtti::TRuntimeClassId* type = observation.GetRuntimeClass();
-  return type->derivedFrom(CLASS_ID(CObservation2DRangeScan)) ||
-         type->derivedFrom(CLASS_ID(CObservationVelodyneScan)) ||
-         type->derivedFrom(CLASS_ID(CObservation3DRangeScan)) ||
-         type->derivedFrom(CLASS_ID(CObservationPointCloud)) ||
-         type->derivedFrom(CLASS_ID(CObservationRotatingScan));
-}
-
-void CTraversabilityGridMap::determineMatching2D(
-    const mrpt::maps::CMetricMap* /*other_map*/,
-    const mrpt::poses::CPose2D& /*other_pose*/,
-    mrpt::tfest::TMatchingPairList& correspondences,
-    const mrpt::maps::TMatchingParams& /*params*/,
-    mrpt::maps::TMatchingExtraResults& extra) const
-{
-  correspondences.clear();
-  extra = {};
-}
-
-void CTraversabilityGridMap::determineMatching3D(
-    const mrpt::maps::CMetricMap* /*other_map*/,
-    const mrpt::poses::CPose3D& /*other_pose*/,
-    mrpt::tfest::TMatchingPairList& correspondences,
-    const mrpt::maps::TMatchingParams& /*params*/,
-    mrpt::maps::TMatchingExtraResults& extra) const
-{
-  correspondences.clear();
-  extra = {};
-}
-
-float CTraversabilityGridMap::compute3DMatchingRatio(
-    const mrpt::maps::CMetricMap* /*other_map*/,
-    const mrpt::poses::CPose3D& /*other_pose*/,
-    const mrpt::maps::TMatchingRatioParams& /*params*/) const
-{
-  return 0;
-}
-
-float CTraversabilityGridMap::squareDistanceToClosestCorrespondence(float /*x*/, float /*y*/) const
-{
-  return std::numeric_limits<float>::max();
+  return traversability_grid::logLikelihood(state_, scan, T_map_base, likelihoodOptions);
 }
 }  // namespace traverse::maps

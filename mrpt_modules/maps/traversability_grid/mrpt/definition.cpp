@@ -8,8 +8,6 @@
 
 #include <mrpt/config/CConfigFileBase.h>
 
-#include <ostream>
-
 // The first name must be the class's own: the factory looks definitions up by it.
 MAP_DEFINITION_REGISTER(
     "traverse::maps::CTraversabilityGridMap,CTraversabilityGridMap,traversabilityGridMap",
@@ -17,20 +15,6 @@ MAP_DEFINITION_REGISTER(
 
 namespace traverse::maps
 {
-namespace
-{
-template <class P>
-void dump(std::ostream& out, const char* title, const P& params)
-{
-  out << title << "\n";
-  for (const options::Row& row : options::rows(params))
-  {
-    out << "  " << row.key << " = " << row.value << "\n";
-  }
-}
-
-}  // namespace
-
 CTraversabilityGridMap::TMapDefinition::TMapDefinition() = default;
 
 void CTraversabilityGridMap::TMapDefinition::loadFromConfigFile_map_specific(
@@ -64,12 +48,12 @@ void CTraversabilityGridMap::TMapDefinition::loadFromConfigFile_map_specific(
 
 void CTraversabilityGridMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-  dump(out, "insertOpts", insertionOpts);
-  dump(out, "likelihoodOpts", likelihoodOpts);
-  dump(out, "renderOpts", render_opts);
-  dump(out, "octomapOpts", octomap_opts);
-  dump(out, "Vehicle", vehicle);
-  dump(out, "Sensors", sensors);
+  dumpOptions(out, "insertOpts", insertionOpts);
+  dumpOptions(out, "likelihoodOpts", likelihoodOpts);
+  dumpOptions(out, "renderOpts", render_opts);
+  dumpOptions(out, "octomapOpts", octomap_opts);
+  dumpOptions(out, "Vehicle", vehicle);
+  dumpOptions(out, "Sensors", sensors);
 }
 
 mrpt::maps::CMetricMap* CTraversabilityGridMap::internal_CreateFromMapDefinition(

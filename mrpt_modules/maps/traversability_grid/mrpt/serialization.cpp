@@ -8,8 +8,6 @@
 
 #include <mrpt/serialization/CArchive.h>
 
-#include <algorithm>
-
 IMPLEMENTS_SERIALIZABLE(CTraversabilityGridMap, CMetricMap, traverse::maps)
 
 namespace traverse::maps
@@ -18,31 +16,6 @@ namespace
 {
 constexpr uint32_t kShellVersion = 2;  // 2: the octree
 constexpr const char* kShellKind = "CTraversabilityGridMap";
-
-/** A length that lies allocates no more than the stream has, and a piece. */
-std::string readBlob(mrpt::serialization::CArchive& in)
-{
-  constexpr uint64_t kPiece = 1U << 20U;
-  std::string bytes;
-  for (auto left = in.ReadAs<uint64_t>(); left > 0;)
-  {
-    const auto piece = static_cast<size_t>(std::min(left, kPiece));
-    const size_t have = bytes.size();
-    bytes.resize(have + piece);
-    if (in.ReadBuffer(bytes.data() + have, piece) != piece)
-    {
-      throw formats::FormatError(std::string(kShellKind) + ": the stream ends within the map");
-    }
-    left -= piece;
-  }
-  return bytes;
-}
-
-void writeBlob(mrpt::serialization::CArchive& out, const std::string& bytes)
-{
-  out.WriteAs<uint64_t>(bytes.size());
-  out.WriteBuffer(bytes.data(), bytes.size());
-}
 }  // namespace
 
 uint8_t CTraversabilityGridMap::serializeGetVersion() const
@@ -72,8 +45,8 @@ void CTraversabilityGridMap::serializeFrom(mrpt::serialization::CArchive& in, ui
   {
     MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
   }
-  const std::string shell_bytes = readBlob(in);
-  const std::string map_bytes = readBlob(in);
+  const std::string shell_bytes = readBlob(in, kShellKind);
+  const std::string map_bytes = readBlob(in, kShellKind);
   const formats::ArchiveReader shell(shell_bytes, kShellKind, kShellVersion);
   likelihoodOptions =
       formats::readOptionBytes<traversability_grid::LikelihoodParams>(shell.reader("LIKE"));

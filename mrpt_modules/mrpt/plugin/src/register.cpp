@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/maps/CTraversabilityGridMap.h>
+#include <traverse/maps/CWrappableMultiLidarGrid.h>
 #include <traverse/plugin/register.h>
 
 #include <mrpt/core/initializer.h>
@@ -12,6 +13,7 @@ namespace
 void registerOwnClasses()
 {
   mrpt::rtti::registerClass(CLASS_ID_NAMESPACE(CTraversabilityGridMap, traverse::maps));
+  mrpt::rtti::registerClass(CLASS_ID_NAMESPACE(CWrappableMultiLidarGrid, traverse::maps));
 }
 }  // namespace
 

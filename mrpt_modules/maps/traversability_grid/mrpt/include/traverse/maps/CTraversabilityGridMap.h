@@ -4,11 +4,8 @@
 
 #include <traverse/formats/point_octree.h>
 #include <traverse/geometry/vehicle.h>
-#include <traverse/layers/scan_consumer.h>
-#include <traverse/observations/observation_params.h>
+#include <traverse/plugin/map_shell.h>
 #include <traverse/traversability_grid/traversability_grid.h>
-
-#include <mrpt/maps/CMetricMap.h>
 
 #include <string>
 
@@ -55,7 +52,7 @@ void visit(const TraversabilityRenderParams& p, F&& f)
  *
  * Options may be changed in place; those that the cells' sums depend on (cell_size_m,
  * slab_height_m) and the octree's resolution only while the map is empty. */
-class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::ScanConsumer
+class CTraversabilityGridMap : public MapShell
 {
   DEFINE_SERIALIZABLE(CTraversabilityGridMap, traverse::maps)
 
@@ -67,7 +64,6 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
   TraversabilityRenderParams renderOptions;
   formats::OctomapParams octomapOptions;
   geometry::Vehicle vehicle;
-  observations::ObservationParams sensors;  //!< how insertObservation() decodes
 
   // layers::ScanConsumer
   layers::UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) override;
@@ -104,25 +100,6 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
    * formats::FileError. */
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
 
-  /** No matching on this map: no correspondence, ratio 0. */
-  void determineMatching2D(
-      const mrpt::maps::CMetricMap* other_map,
-      const mrpt::poses::CPose2D& other_pose,
-      mrpt::tfest::TMatchingPairList& correspondences,
-      const mrpt::maps::TMatchingParams& params,
-      mrpt::maps::TMatchingExtraResults& extra) const override;
-  void determineMatching3D(
-      const mrpt::maps::CMetricMap* other_map,
-      const mrpt::poses::CPose3D& other_pose,
-      mrpt::tfest::TMatchingPairList& correspondences,
-      const mrpt::maps::TMatchingParams& params,
-      mrpt::maps::TMatchingExtraResults& extra) const override;
-  float compute3DMatchingRatio(
-      const mrpt::maps::CMetricMap* other_map,
-      const mrpt::poses::CPose3D& other_pose,
-      const mrpt::maps::TMatchingRatioParams& params) const override;
-  float squareDistanceToClosestCorrespondence(float x, float y) const override;
-
   MAP_DEFINITION_START(CTraversabilityGridMap)
   traversability_grid::Params insertionOpts;
   traversability_grid::LikelihoodParams likelihoodOpts;
@@ -134,14 +111,8 @@ class CTraversabilityGridMap : public mrpt::maps::CMetricMap, public layers::Sca
 
  private:
   void internal_clear() override;
-  bool internal_insertObservation(
-      const mrpt::obs::CObservation& observation,
-      const std::optional<const mrpt::poses::CPose3D>& robot_pose) override;
-  double internal_computeObservationLikelihood(
-      const mrpt::obs::CObservation& observation,
-      const mrpt::poses::CPose3D& taken_from) const override;
-  bool internal_canComputeObservationLikelihood(
-      const mrpt::obs::CObservation& observation) const override;
+  double logLikelihoodOf(
+      const points::Scan& scan, const Eigen::Isometry3d& T_map_base) const override;
 
   traversability_grid::State state_;
   formats::PointOctree octree_;  // of every scan with a pose, whatever the cells take or forget

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The map as files and as a scene.
+#include <traverse/formats/geotiff.h>
+#include <traverse/formats/occupancy_image.h>
+#include <traverse/formats/png.h>
+#include <traverse/formats/safe_file.h>
+#include <traverse/maps/CWrappableMultiLidarGrid.h>
+#include <traverse/multi_lidar_grid/fusion.h>
+#include <traverse/observations/convert.h>
+#include <traverse/rendering/layer_surface.h>
+
+#include <mrpt/opengl/CPointCloud.h>
+#include <mrpt/opengl/CSetOfObjects.h>
+#include <mrpt/opengl/stock_objects.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace traverse::maps
+{
+namespace
+{
+/** More cells than this are not drawn at once: a triangle takes 108 bytes. */
+constexpr int32_t kMostDrawnHalf = 1000;
+
+constexpr std::array<mrpt::img::TColor, 6> kPointColours = {
+    mrpt::img::TColor(230, 120, 20), mrpt::img::TColor(20, 150, 90),
+    mrpt::img::TColor(60, 90, 220),  mrpt::img::TColor(190, 40, 170),
+    mrpt::img::TColor(0, 160, 190),  mrpt::img::TColor(150, 110, 40)};
+
+geometry::CellRect drawnPart(const geometry::CellRect& region)
+{
+  const geometry::CellIndex c{
+      region.min.x + region.width() / 2, region.min.y + region.height() / 2};
+  const int32_t half = std::min(kMostDrawnHalf, region.width() / 2 + 1);
+  return {
+      {std::max(region.min.x, c.x - half), std::max(region.min.y, c.y - half)},
+      {std::min(region.max.x, c.x + half), std::min(region.max.y, c.y + half)}};
+}
+
+/** Where the ground is not known it is drawn level with the robot's; cells that are not to be drawn
+ * get no height. */
+void fillGround(layers::LayerSet& set, float level_m, bool show_unknown)
+{
+  std::vector<uint8_t> codes;
+  for (const layers::Layer& layer : set.layers)
+  {
+    if (layer.name == set.class_layer)
+    {
+      codes = std::get<std::vector<uint8_t>>(layer.data);
+    }
+  }
+  for (layers::Layer& layer : set.layers)
+  {
+    if (layer.name != "ground_height")
+    {
+      continue;
+    }
+    auto& heights = std::get<std::vector<float>>(layer.data);
+    for (size_t i = 0; i < heights.size(); ++i)
+    {
+      heights[i] = std::isfinite(heights[i]) ? heights[i] : level_m;
+      heights[i] =
+          codes[i] != 0 || show_unknown ? heights[i] : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+}
+}  // namespace
+
+void CWrappableMultiLidarGrid::getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const
+{
+  if (!genericMapParams.enableSaveAs3DObject || isEmpty())
+  {
+    return;
+  }
+  layers::LayerSet set = layerSet(drawnPart(state_.cells.region()));
+  const Eigen::Isometry3d& T_map_base = state_.robot->T_map_base;
+  const double level_m = T_map_base.translation().z() - made_for_.base_height_m;
+  fillGround(set, static_cast<float>(level_m), renderOptions.show_unknown);
+  scene.insert(rendering::layerSurface(set, "ground_height"));
+  if (renderOptions.show_points)
+  {
+    drawPoints(scene);
+  }
+  if (renderOptions.show_axes)
+  {
+    auto axes = mrpt::opengl::stock_objects::CornerXYZSimple(2.0F, 3.0F);
+    axes->setPose(observations::toPose3D(T_map_base));
+    scene.insert(axes);
+  }
+}
+
+void CWrappableMultiLidarGrid::drawPoints(mrpt::opengl::CSetOfObjects& scene) const
+{
+  size_t colour = 0;
+  for (const multi_lidar_grid::Sensor& sensor : state_.sensors.all())
+  {
+    const auto found = latest_points_.find(sensor.label);
+    const mrpt::img::TColor shown = kPointColours[colour++ % kPointColours.size()];
+    if (found == latest_points_.end() || !multi_lidar_grid::counts(sensor, state_, made_with_))
+    {
+      continue;
+    }
+    auto cloud = mrpt::opengl::CPointCloud::Create();
+    cloud->setColor_u8(shown);
+    cloud->setPointSize(2.0F);
+    cloud->setPose(observations::toPose3D(found->second.T_map_base));
+    cloud->setAllPoints(found->second.x, found->second.y, found->second.z);
+    scene.insert(cloud);
+  }
+}
+
+void CWrappableMultiLidarGrid::saveMetricMapRepresentationToFile(const std::string& prefix) const
+{
+  formats::writeFile(prefix + ".traverse", archive());
+  for (const layers::ExtraFile& file : extraFiles())
+  {
+    formats::writeFile(prefix + file.ending, file.bytes);
+  }
+  if (isEmpty())
+  {
+    return;
+  }
+  const layers::LayerSet set = layerSet();
+  for (const layers::Layer& layer : set.layers)
+  {
+    formats::writeFile(prefix + "_" + layer.name + ".tif", formats::geoTiff(set, layer));
+  }
+  formats::writeFile(prefix + "_class.png", formats::png(formats::classPicture(set)));
+  const std::string name = std::filesystem::path(prefix).filename().string();
+  const formats::OccupancyImage image =
+      formats::occupancyOfClasses(set, name + ".pgm", {set.blocked_codes, {0}});
+  formats::writeFile(prefix + ".pgm", image.pgm);
+  formats::writeFile(prefix + ".yaml", image.yaml);
+}
+}  // namespace traverse::maps

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a user must know of the sensors.
+#include <traverse/maps/CWrappableMultiLidarGrid.h>
+#include <traverse/options/untrusted_text.h>
+
+#include <fmt/format.h>
+
+namespace traverse::maps
+{
+namespace
+{
+using multi_lidar_grid::Health;
+using multi_lidar_grid::Sensor;
+
+std::string meaningOf(Health health)
+{
+  switch (health)
+  {
+    case Health::late:
+      return "its next cloud is overdue";
+    case Health::stale:
+    case Health::dead:
+      return "its latest cloud no longer counts";
+    case Health::stuck:
+      return "it sends the same cloud again and again";
+    case Health::ok:
+      break;
+  }
+  return "";
+}
+}  // namespace
+
+std::vector<std::string> CWrappableMultiLidarGrid::warnings() const
+{
+  std::vector<std::string> texts;
+  for (const Sensor& sensor : state_.sensors.all())
+  {
+    const std::string name = fmt::format("sensor '{}'", options::printable(sensor.label));
+    const Health health = state_.sensors.healthOf(sensor, state_.now, made_with_);
+    if (health != Health::ok)
+    {
+      texts.push_back(fmt::format(
+          "{} is {}: {}, its newest is {:.2f} s old", name, multi_lidar_grid::nameOf(health),
+          meaningOf(health), poses::secondsBetween(sensor.newest, state_.now)));
+    }
+    const bool is_given = multi_lidar_grid::sensorParams(made_with_, sensor.label).is_offset_given;
+    if (sensor.clock_offset_s != 0 && !is_given)
+    {
+      texts.push_back(fmt::format(
+          "{}: its clock seems off, {:+.3f} s were added to its stamps (estimate_clock_offsets; "
+          "give sensor_clock_offsets_s where it is known)",
+          name, sensor.clock_offset_s));
+    }
+    if (sensor.refused_late > 0)
+    {
+      texts.push_back(fmt::format(
+          "{}: {} clouds came later than order_window_s = {} s and were refused", name,
+          sensor.refused_late, made_with_.order_window_s));
+    }
+  }
+  return texts;
+}
+}  // namespace traverse::maps
