@@ -30,7 +30,7 @@ Map sample()
   addCloud(map, "right", {"."}, 3);
   map.state.sensors.all().front().period_s = 0.1;
   map.state.sensors.all().back().clock_offset_s = 0.08;
-  map.state.sensors.all().back().refused_late = 4;
+  map.state.sensors.all().back().refused = 4;
   std::mt19937 random(31);
   map.state.cells.forEach(
       [&](geometry::CellIndex, Cell& cell)
@@ -40,7 +40,7 @@ Map sample()
           cell.state = static_cast<layers::OccupancyState>(random() % 5);
           cell.passes = static_cast<uint8_t>(random());
           cell.free_to = static_cast<uint8_t>(random());
-          cell.log_odds = static_cast<int8_t>(random());
+          cell.belief = static_cast<int8_t>(random());
           cell.seen_by = random() % 4;
           cell.last_seen = static_cast<poses::TimeNs>(random());
           cell.last_hit = -static_cast<poses::TimeNs>(random());
@@ -80,7 +80,7 @@ TEST(MultiLidarArchive, ComesBackAsTheSameMap)
   const Sensor& right = back.state.sensors.all().back();
   EXPECT_EQ(right.label, "right");
   EXPECT_EQ(right.clock_offset_s, 0.08);
-  EXPECT_EQ(right.refused_late, 4U);
+  EXPECT_EQ(right.refused, 4U);
   EXPECT_FALSE(right.has_cloud) << "the latest clouds are gone with their time";
   EXPECT_EQ(
       layersOf(back).find("occupancy_state")->data, layersOf(map).find("occupancy_state")->data);
@@ -143,6 +143,7 @@ struct Forgery
   std::vector<std::string> labels = {"roof"};
   double period_s = 0.1;
   double offset_s = 0;
+  double repeats_at_m = 0;
   int32_t x = 3;
   uint32_t run = 2;
   int copies = 1;
@@ -158,6 +159,7 @@ struct Forgery
       grid.i32(value);
     }
     grid.i64(now);
+    grid.i64(0);
     grid.u8(has_robot);
     grid.i64(0);
     for (int i = 0; i < 12; ++i)
@@ -180,6 +182,10 @@ struct Forgery
       out.u64(0);
       out.u64(0);
       out.u32(0);
+      for (int i = 0; i < 3; ++i)
+      {
+        out.f64(repeats_at_m);
+      }
       out.f64(offset_s);
     }
     return out.take();
@@ -249,6 +255,7 @@ TEST(MultiLidarArchive, ThatContradictsItselfIsRefused)
       HasSubstr("there twice"));
   EXPECT_THAT(forged([](Forgery& f) { f.period_s = -1; }), HasSubstr("range"));
   EXPECT_THAT(forged([](Forgery& f) { f.offset_s = std::nan(""); }), HasSubstr("range"));
+  EXPECT_THAT(forged([](Forgery& f) { f.repeats_at_m = 1e300; }), HasSubstr("range"));
   EXPECT_THAT(forged([](Forgery& f) { f.x = 14; }), HasSubstr("outside the region"));
   EXPECT_THAT(forged([](Forgery& f) { f.x = -2'000'000'000; }), HasSubstr("outside the region"));
   EXPECT_THAT(forged([](Forgery& f) { f.run = 0; }), HasSubstr("run"));

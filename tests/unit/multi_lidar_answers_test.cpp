@@ -35,7 +35,7 @@ TEST(MultiLidarWhy, SaysStateSensorsAndAges)
   map.state.cells.at({1, 0}).passes = 2;
   const std::string text = textOf(map, {1, 0});
   EXPECT_THAT(text, HasSubstr("state: obstacle\n"));
-  EXPECT_THAT(text, HasSubstr("2 contradicting sweeps in a row of the 3 that clear it"));
+  EXPECT_THAT(text, HasSubstr("the last 2 contradicted it; 3 clear"));
   EXPECT_THAT(text, HasSubstr("seen by: left, right"));
   EXPECT_THAT(text, HasSubstr("last hit: 2 s ago"));
   EXPECT_THAT(text, HasSubstr("safety_buffer: hard"));

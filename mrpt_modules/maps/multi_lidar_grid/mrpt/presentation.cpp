@@ -7,7 +7,6 @@
 #include <traverse/formats/png.h>
 #include <traverse/formats/safe_file.h>
 #include <traverse/maps/CWrappableMultiLidarGrid.h>
-#include <traverse/multi_lidar_grid/fusion.h>
 #include <traverse/observations/convert.h>
 #include <traverse/rendering/layer_surface.h>
 
@@ -102,7 +101,8 @@ void CWrappableMultiLidarGrid::drawPoints(mrpt::opengl::CSetOfObjects& scene) co
   {
     const auto found = latest_points_.find(sensor.label);
     const mrpt::img::TColor shown = kPointColours[colour++ % kPointColours.size()];
-    if (found == latest_points_.end() || !multi_lidar_grid::counts(sensor, state_, made_with_))
+    if (found == latest_points_.end() ||
+        !multi_lidar_grid::counts(multi_lidar_grid::healthOf(sensor, state_.now, made_with_)))
     {
       continue;
     }

@@ -38,7 +38,7 @@ std::vector<std::string> CWrappableMultiLidarGrid::warnings() const
   for (const Sensor& sensor : state_.sensors.all())
   {
     const std::string name = fmt::format("sensor '{}'", options::printable(sensor.label));
-    const Health health = state_.sensors.healthOf(sensor, state_.now, made_with_);
+    const Health health = multi_lidar_grid::healthOf(sensor, state_.now, made_with_);
     if (health != Health::ok)
     {
       texts.push_back(fmt::format(
@@ -53,11 +53,13 @@ std::vector<std::string> CWrappableMultiLidarGrid::warnings() const
           "give sensor_clock_offsets_s where it is known)",
           name, sensor.clock_offset_s));
     }
-    if (sensor.refused_late > 0)
+    if (sensor.refused > 0)
     {
       texts.push_back(fmt::format(
-          "{}: {} clouds came later than order_window_s = {} s and were refused", name,
-          sensor.refused_late, made_with_.order_window_s));
+          "{}: {} clouds were refused: later than order_window_s = {} s, or always the same while "
+          "the "
+          "vehicle moved",
+          name, sensor.refused, made_with_.order_window_s));
     }
   }
   return texts;

@@ -73,9 +73,13 @@ void readSensor(formats::ByteReader& in, State& state, size_t number)
   sensor.newest = readTime(in);
   sensor.period_s = readWithin(in, 0, kLongestPeriod_s);
   sensor.clouds = in.u64();
-  sensor.refused_late = in.u64();
+  sensor.refused = in.u64();
   sensor.last_hash = in.u64();
   sensor.repeats = in.u32();
+  for (Eigen::Index i = 0; i < 3; ++i)
+  {
+    sensor.repeats_at[i] = readWithin(in, -geometry::kFarthest_m, geometry::kFarthest_m);
+  }
   sensor.clock_offset_s = readWithin(in, -kLargestOffset_s, kLargestOffset_s);
 }
 }  // namespace
@@ -99,6 +103,7 @@ std::string gridBytes(const State& state)
   out.i32(region.min.x);
   out.i32(region.min.y);
   out.i64(state.now);
+  out.i64(state.forgot_at);
   out.u8(static_cast<uint8_t>(state.robot.has_value()));
   const poses::StampedPose robot = state.robot.value_or(poses::StampedPose{});
   out.i64(robot.time);
@@ -124,6 +129,7 @@ void readGrid(formats::ByteReader in, State& state)
   }
   state.cells.moveTo({first.x + edge / 2, first.y + edge / 2});
   state.now = readTime(in);
+  state.forgot_at = readTime(in);
   const uint8_t has_robot = in.u8();
   poses::StampedPose robot;
   robot.time = readTime(in);
@@ -149,9 +155,13 @@ std::string sensorBytes(const Sensors& sensors)
     out.i64(sensor.newest);
     out.f64(sensor.period_s);
     out.u64(sensor.clouds);
-    out.u64(sensor.refused_late);
+    out.u64(sensor.refused);
     out.u64(sensor.last_hash);
     out.u32(sensor.repeats);
+    for (const double at : sensor.repeats_at)
+    {
+      out.f64(at);
+    }
     out.f64(sensor.clock_offset_s);
   }
   return out.take();

@@ -5,6 +5,7 @@
 #include <traverse/options/untrusted_text.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace traverse::multi_lidar_grid
@@ -88,12 +89,15 @@ std::string evidence(const Cell& cell, const Params& params)
 {
   if (params.accumulation == Accumulation::log_odds)
   {
-    return "log-odds of an obstacle are " + options::format(cell.log_odds * kLogOddsStep);
+    return "log-odds of an obstacle are " + options::format(cell.belief * kLogOddsStep);
   }
   if (cell.state == OccupancyState::obstacle || cell.state == OccupancyState::negative)
   {
-    return std::to_string(cell.passes) + " contradicting sweeps in a row of the " +
-           std::to_string(params.clear_after_sweeps) + " that clear it (clear_after_sweeps)";
+    const double percent = std::round(100.0 * cell.belief / std::numeric_limits<int8_t>::max());
+    return "late looks hit it in " + options::format(percent) + " %, the last " +
+           std::to_string(cell.passes) + " contradicted it; " +
+           std::to_string(params.clear_after_sweeps) +
+           " clear what was hit by every look (clear_after_sweeps)";
   }
   return "beams passed, and no sweep hit it since";
 }
@@ -126,11 +130,12 @@ void explainLatest(const State& state, const Params& params, geometry::CellIndex
 {
   for (const Sensor& sensor : state.sensors.all())
   {
-    std::string text(nameOf(state.sensors.healthOf(sensor, state.now, params)));
+    const Health health = healthOf(sensor, state.now, params);
+    std::string text(nameOf(health));
     text += ", newest cloud " + secondsAgo(state.now, sensor.newest);
     const UnitCell* cell =
         sensor.latest.touched.contains(at) ? sensor.latest.cells.get(at) : nullptr;
-    if (!counts(sensor, state, params))
+    if (!sensor.has_cloud || !counts(health))
     {
       text += ", which no longer counts";
     }

@@ -38,12 +38,6 @@ geometry::CellRect common(const geometry::CellRect& a, const geometry::CellRect&
   return both.max.x > both.min.x && both.max.y > both.min.y ? both : geometry::CellRect{};
 }
 
-bool counts(const Sensor& sensor, const State& state, const Params& params)
-{
-  const Health health = state.sensors.healthOf(sensor, state.now, params);
-  return sensor.has_cloud && health != Health::stale && health != Health::dead;
-}
-
 LatestMap fuseLatest(const State& state, const Params& params, const geometry::CellRect& window)
 {
   LatestMap map;
@@ -54,7 +48,7 @@ LatestMap fuseLatest(const State& state, const Params& params, const geometry::C
   map.seen_by.assign(size, 0);
   for (const Sensor& sensor : state.sensors.all())
   {
-    if (counts(sensor, state, params))
+    if (sensor.has_cloud && counts(healthOf(sensor, state.now, params)))
     {
       add(sensor.latest, state.sensors.bitOf(sensor), map);
     }

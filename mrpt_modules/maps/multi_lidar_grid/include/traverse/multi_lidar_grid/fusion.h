@@ -20,12 +20,9 @@ struct LatestMap
   std::vector<uint32_t> seen_by;  //!< a bit of each sensor whose latest cloud knows the cell
 };
 
-/** Fuses the latest unit map of each sensor that is neither stale nor dead at state.now, by
+/** Fuses the latest unit map of each sensor whose health counts() at state.now, by
  * stronger(). Cells outside the map are unknown. */
 LatestMap fuseLatest(const State& state, const Params& params, const geometry::CellRect& window);
-
-/** True where the sensor's latest cloud counts at state.now. */
-bool counts(const Sensor& sensor, const State& state, const Params& params);
 
 /** The cells of both; an empty rectangle where there are none. */
 geometry::CellRect common(const geometry::CellRect& a, const geometry::CellRect& b);
