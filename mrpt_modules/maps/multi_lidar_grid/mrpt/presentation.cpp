@@ -42,32 +42,47 @@ geometry::CellRect drawnPart(const geometry::CellRect& region)
       {std::min(region.max.x, c.x + half), std::min(region.max.y, c.y + half)}};
 }
 
-/** Where the ground is not known it is drawn level with the robot's; cells that are not to be drawn
- * get no height. */
-void fillGround(layers::LayerSet& set, float level_m, bool show_unknown)
+bool isIn(const multi_lidar_grid::State& state, const Eigen::Vector3d& p)
 {
-  std::vector<uint8_t> codes;
-  for (const layers::Layer& layer : set.layers)
+  constexpr double kMost_m = 1e7;  // so far cells have indices
+  return p.allFinite() && p.cwiseAbs().maxCoeff() < kMost_m &&
+         state.cells.region().contains(
+             state.lattice.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y())));
+}
+
+/** Cells that nobody saw get no height, others where the ground is not known the robot's. Returns
+ * the lowest. */
+float fillGround(layers::LayerSet& set, float level_m)
+{
+  const auto layer = std::find_if(
+      set.layers.begin(), set.layers.end(),
+      [](const layers::Layer& l) { return l.name == "ground_height"; });
+  const auto& codes = std::get<std::vector<uint8_t>>(set.find(set.class_layer)->data);
+  auto& heights = std::get<std::vector<float>>(layer->data);
+  float lowest = level_m;
+  for (size_t i = 0; i < heights.size(); ++i)
   {
-    if (layer.name == set.class_layer)
-    {
-      codes = std::get<std::vector<uint8_t>>(layer.data);
-    }
+    heights[i] = std::isfinite(heights[i]) ? heights[i] : level_m;
+    lowest = std::min(lowest, heights[i]);
+    heights[i] = codes[i] != 0 ? heights[i] : std::numeric_limits<float>::quiet_NaN();
   }
-  for (layers::Layer& layer : set.layers)
-  {
-    if (layer.name != "ground_height")
-    {
-      continue;
-    }
-    auto& heights = std::get<std::vector<float>>(layer.data);
-    for (size_t i = 0; i < heights.size(); ++i)
-    {
-      heights[i] = std::isfinite(heights[i]) ? heights[i] : level_m;
-      heights[i] =
-          codes[i] != 0 || show_unknown ? heights[i] : std::numeric_limits<float>::quiet_NaN();
-    }
-  }
+  return lowest;
+}
+
+/** What nobody saw, as one sheet below all else: a region is mostly that. */
+mrpt::opengl::CSetOfTriangles::Ptr unknownSheet(const layers::LayerSet& set, float height_m)
+{
+  layers::LayerSet sheet;
+  sheet.lattice.cell_mm = set.lattice.cell_mm * set.extent.width();
+  sheet.extent = {{0, 0}, {1, 1}};
+  sheet.class_layer = "unknown";
+  sheet.legend = set.legend;
+  sheet.layers.push_back({"unknown", "1", std::vector<uint8_t>{0}});
+  sheet.layers.push_back({"height", "m", std::vector<float>{height_m}});
+  auto object = rendering::layerSurface(sheet, "height");
+  object->setLocation(
+      set.lattice.edge_m(set.extent.min.x), set.lattice.edge_m(set.extent.min.y), 0);
+  return object;
 }
 }  // namespace
 
@@ -80,7 +95,12 @@ void CWrappableMultiLidarGrid::getVisualizationInto(mrpt::opengl::CSetOfObjects&
   layers::LayerSet set = layerSet(drawnPart(state_.cells.region()));
   const Eigen::Isometry3d& T_map_base = state_.robot->T_map_base;
   const double level_m = T_map_base.translation().z() - made_for_.base_height_m;
-  fillGround(set, static_cast<float>(level_m), renderOptions.show_unknown);
+  const float lowest_m = fillGround(set, static_cast<float>(level_m));
+  if (renderOptions.show_unknown)
+  {
+    constexpr float kBelow_m = 0.1F;
+    scene.insert(unknownSheet(set, lowest_m - kBelow_m));
+  }
   scene.insert(rendering::layerSurface(set, "ground_height"));
   if (renderOptions.show_points)
   {
@@ -109,8 +129,17 @@ void CWrappableMultiLidarGrid::drawPoints(mrpt::opengl::CSetOfObjects& scene) co
     auto cloud = mrpt::opengl::CPointCloud::Create();
     cloud->setColor_u8(shown);
     cloud->setPointSize(2.0F);
-    cloud->setPose(observations::toPose3D(found->second.T_map_base));
-    cloud->setAllPoints(found->second.x, found->second.y, found->second.z);
+    const Eigen::Isometry3d& pose = found->second.T_map_base;
+    cloud->setPose(observations::toPose3D(pose));
+    for (size_t i = 0; i < found->second.x.size(); ++i)
+    {
+      const LatestPoints& all = found->second;
+      const Eigen::Vector3d p = pose * Eigen::Vector3d(all.x[i], all.y[i], all.z[i]);
+      if (isIn(state_, p))
+      {
+        cloud->insertPoint(all.x[i], all.y[i], all.z[i]);
+      }
+    }
     scene.insert(cloud);
   }
 }
