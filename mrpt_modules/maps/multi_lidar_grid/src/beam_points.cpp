@@ -13,6 +13,7 @@ namespace
 {
 constexpr double kMm = geometry::kMillimetresPerMetre;
 constexpr double kMostHeight_mm = 1e6;
+constexpr double kFar_m = 1e9;
 
 /** As llround(). */
 inline double nearestWhole(double x)
@@ -38,36 +39,45 @@ inline bool isNear(double metres)
 {
   return __builtin_fabs(metres) <= geometry::kFarthest_m;
 }
-}  // namespace
 
-TRAVERSE_CLONES
-void locate(const BeamFrame& frame, const PointArrays& in, BeamPoints& points)
+/** Points are worked on in pieces that stay near. */
+constexpr size_t kPiece = 512;
+
+struct Piece
 {
-  const BeamFrame& f = frame;
+  float x_m[kPiece];  // from the region's corner and the heights' zero
+  float y_m[kPiece];
+  float z_m[kPiece];
+  float from_x_m[kPiece];  // the sensor at the point's time
+  float from_y_m[kPiece];
+  float from_z_m[kPiece];
+  int32_t is_good[kPiece];
+};
+
+// The three loops of a piece. & and | and not && and ||, because they must not branch.
+
+inline void toCells(
+    const BeamFrame& frame,
+    const float* __restrict in_x,
+    const float* __restrict in_y,
+    const float* __restrict in_z,
+    size_t size,
+    int32_t* __restrict cell,
+    int32_t* __restrict height,
+    Piece& __restrict piece)
+{
+  const BeamFrame f = frame;
   const auto& T = f.T;
   const double by_cell = 1.0 / f.cell_mm;
   const double side_mm = static_cast<double>(f.edge) * f.cell_mm;
   const double corner_x = f.min_x_mm / kMm;
   const double corner_y = f.min_y_mm / kMm;
   const double corner_z = f.zero_mm / kMm;
-  const float last_origin = static_cast<float>(f.origins - 1);
-  const bool moves = f.origins > 1 && in.time_s != nullptr;
-  const float* time_s = moves ? in.time_s : in.x;
-  const float by_step = moves ? f.by_step : 0.0F;
-  const int32_t next = moves ? 1 : 0;
-  const int32_t most_before = moves ? f.origins - 2 : 0;
-  uint64_t bad = 0;
-  uint64_t inside = 0;
-  int32_t* const out_cell = points.cell.data();
-  int32_t* const out_z = points.z_mm.data();
-  float* const out_reach = points.reach_m.data();
-  float* const out_slope = points.slope.data();
-  float* const out_turn = points.turn.data();
-  for (size_t i = 0; i < in.size; ++i)
+  for (size_t i = 0; i < size; ++i)
   {
-    const double px = in.x[i];
-    const double py = in.y[i];
-    const double pz = in.z[i];
+    const double px = in_x[i];
+    const double py = in_y[i];
+    const double pz = in_z[i];
     const double x = T[0][0] * px + T[0][1] * py + T[0][2] * pz + T[0][3];
     const double y = T[1][0] * px + T[1][1] * py + T[1][2] * pz + T[1][3];
     const double z = T[2][0] * px + T[2][1] * py + T[2][2] * pz + T[2][3];
@@ -76,45 +86,119 @@ void locate(const BeamFrame& frame, const PointArrays& in, BeamPoints& points)
     const double z_mm = bounded(nearestWhole(z * kMm) - f.zero_mm, -kMostHeight_mm, kMostHeight_mm);
     const auto column = static_cast<int32_t>((x_mm + 0.5) * by_cell);
     const auto row = static_cast<int32_t>((y_mm + 0.5) * by_cell);
+    const bool is_good = isNear(x) & isNear(y) & isNear(z);
+    const bool in_region = (x_mm >= 0) & (x_mm < side_mm) & (y_mm >= 0) & (y_mm < side_mm) &
+                           (z_mm > -kMostHeight_mm) & (z_mm < kMostHeight_mm);
+    cell[i] = is_good & in_region ? row * f.edge + column : BeamPoints::kNoCell;
+    height[i] = static_cast<int32_t>(z_mm);
+    piece.x_m[i] = static_cast<float>(bounded(x - corner_x, -kFar_m, kFar_m));
+    piece.y_m[i] = static_cast<float>(bounded(y - corner_y, -kFar_m, kFar_m));
+    piece.z_m[i] = static_cast<float>(bounded(z - corner_z, -kFar_m, kFar_m));
+    piece.is_good[i] = is_good ? 1 : 0;
+  }
+}
 
-    const float steps = boundedF((time_s[i] - f.first_s) * by_step, 0.0F, last_origin);
+inline void toOrigins(
+    const BeamFrame& frame, const float* __restrict time_s, size_t size, Piece& __restrict piece)
+{
+  const BeamFrame& f = frame;
+  const auto last = static_cast<float>(f.origins - 1);
+  const int32_t most_before = f.origins - 2;
+  for (size_t i = 0; i < size; ++i)
+  {
+    const float steps = boundedF((time_s[i] - f.first_s) * f.by_step, 0.0F, last);
     const auto whole = static_cast<int32_t>(steps);
-    const int32_t before = whole < most_before ? whole : most_before;
-    const float part = (steps - static_cast<float>(before)) * static_cast<float>(next);
-    const auto a = static_cast<size_t>(before);
-    const auto b = static_cast<size_t>(before + next);
-    const float ox = f.x_m[a] + part * (f.x_m[b] - f.x_m[a]);
-    const float oy = f.y_m[a] + part * (f.y_m[b] - f.y_m[a]);
-    const float oz = f.z_m[a] + part * (f.z_m[b] - f.z_m[a]);
-    const auto dx = static_cast<float>(x - corner_x) - ox;
-    const auto dy = static_cast<float>(y - corner_y) - oy;
-    const auto dz = static_cast<float>(z - corner_z) - oz;
-    const float along2 = dx * dx + dy * dy;
-    const float reach = __builtin_sqrtf(along2);
+    const int32_t a = whole < most_before ? whole : most_before;
+    const float part = steps - static_cast<float>(a);
+    piece.from_x_m[i] = f.x_m[a] + part * (f.x_m[a + 1] - f.x_m[a]);
+    piece.from_y_m[i] = f.y_m[a] + part * (f.y_m[a + 1] - f.y_m[a]);
+    piece.from_z_m[i] = f.z_m[a] + part * (f.z_m[a + 1] - f.z_m[a]);
+  }
+}
 
+inline void stay(const BeamFrame& f, Piece& piece)
+{
+  for (size_t i = 0; i < kPiece; ++i)
+  {
+    piece.from_x_m[i] = f.x_m[0];
+    piece.from_y_m[i] = f.y_m[0];
+    piece.from_z_m[i] = f.z_m[0];
+  }
+}
+
+inline void toBeams(
+    const BeamFrame& frame,
+    const Piece& __restrict piece,
+    size_t size,
+    int32_t* __restrict cell,
+    float* __restrict reach_m,
+    float* __restrict slope,
+    float* __restrict turn)
+{
+  const BeamFrame f = frame;
+  const auto range2 = static_cast<float>(f.range2_m2);
+  const auto least2 = static_cast<float>(f.least2_m2);
+  const bool sees_all = !f.has_view;
+  for (size_t i = 0; i < size; ++i)
+  {
+    const float dx = piece.x_m[i] - piece.from_x_m[i];
+    const float dy = piece.y_m[i] - piece.from_y_m[i];
+    const float dz = piece.z_m[i] - piece.from_z_m[i];
+    const float along2 = dx * dx + dy * dy;
     const float first = dx * f.first_normal[0] + dy * f.first_normal[1] + dz * f.first_normal[2];
     const float last = dx * f.last_normal[0] + dy * f.last_normal[1] + dz * f.last_normal[2];
-    // & and | and not && and ||, because it must not branch.
     const bool after_first = first >= 0;
     const bool before_last = last >= 0;
     const bool in_view =
-        !f.has_view | (f.is_wide ? (after_first | before_last) : (after_first & before_last));
-    const bool is_good = isNear(x) & isNear(y) & isNear(z);
-    const bool in_range = static_cast<double>(along2 + dz * dz) <= f.range2_m2;
-    const bool in_region = (x_mm >= 0) & (x_mm < side_mm) & (y_mm >= 0) & (y_mm < side_mm) &
-                           (z_mm > -kMostHeight_mm) & (z_mm < kMostHeight_mm);
-    const bool is_inside = is_good & in_view & in_range & in_region;
-    const bool is_beam = is_good & in_view & (static_cast<double>(along2) >= f.least2_m2);
-    out_cell[i] = is_inside ? row * f.edge + column : BeamPoints::kNoCell;
-    out_z[i] = static_cast<int32_t>(z_mm);
-    out_reach[i] = is_beam ? reach : -1.0F;
-    out_slope[i] = dz / (is_beam ? reach : 1.0F);
-    out_turn[i] = turnOf(is_beam ? dx : 1.0F, is_beam ? dy : 0.0F);
-    bad += is_good ? 0U : 1U;
-    inside += is_inside ? 1U : 0U;
+        sees_all | (after_first & before_last) | (f.is_wide & (after_first | before_last));
+    const bool is_beam = (piece.is_good[i] != 0) & in_view & (along2 >= least2);
+    const bool is_kept = in_view & (along2 + dz * dz <= range2);
+    const float reach = __builtin_sqrtf(is_beam ? along2 : 1.0F);
+    cell[i] = is_kept ? cell[i] : BeamPoints::kNoCell;
+    reach_m[i] = is_beam ? reach : -1.0F;
+    slope[i] = dz / reach;
+    turn[i] = turnOf(is_beam ? dx : 1.0F, is_beam ? dy : 0.0F);
   }
-  points.bad = bad;
-  points.inside = inside;
+}
+
+inline void count(const Piece& piece, const int32_t* cell, size_t size, BeamPoints& points)
+{
+  uint32_t good = 0;
+  uint32_t inside = 0;
+  for (size_t i = 0; i < size; ++i)
+  {
+    good += static_cast<uint32_t>(piece.is_good[i]);
+    inside += cell[i] >= 0 ? 1U : 0U;
+  }
+  points.bad += size - good;
+  points.inside += inside;
+}
+}  // namespace
+
+TRAVERSE_CLONES
+void locate(const BeamFrame& frame, const PointArrays& in, BeamPoints& points)
+{
+  points.bad = 0;
+  points.inside = 0;
+  const bool moves = frame.origins > 1 && in.time_s != nullptr;
+  Piece piece;
+  stay(frame, piece);
+  for (size_t first = 0; first < in.size; first += kPiece)
+  {
+    const size_t size = in.size - first < kPiece ? in.size - first : kPiece;
+    int32_t* const cell = points.cell.data() + first;
+    toCells(
+        frame, in.x + first, in.y + first, in.z + first, size, cell, points.z_mm.data() + first,
+        piece);
+    if (moves)
+    {
+      toOrigins(frame, in.time_s + first, size, piece);
+    }
+    toBeams(
+        frame, piece, size, cell, points.reach_m.data() + first, points.slope.data() + first,
+        points.turn.data() + first);
+    count(piece, cell, size, points);
+  }
 }
 
 void BeamPoints::resize(size_t n)

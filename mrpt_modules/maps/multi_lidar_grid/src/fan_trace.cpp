@@ -41,7 +41,10 @@ void FanTrace::trace(
     const float to_m = std::min(beams[k].reach_m, scene_.range_m);
     if (to_m > reached_m)
     {
-      follow(fans, {reached_m, to_m, beams[k].slope, topSlope(beams, k, to_m)});
+      if (isDue(fans, to_m))
+      {
+        follow(fans, {reached_m, to_m, beams[k].slope, topSlope(beams, k, to_m)});
+      }
       reached_m = to_m;
     }
   }
@@ -51,11 +54,25 @@ void FanTrace::trace(
   }
   for (size_t k = 0; k < beams.size(); ++k)
   {
-    if (beams[k].is_hit)
+    if (beams[k].is_hit && isDue(fans, beams[k].reach_m))
     {
       sink(fans, beams, k);
     }
   }
+}
+
+/** Near the sensor fans are much narrower than cells: every second will do, or every fourth, ... */
+bool FanTrace::isDue(const BeamFans& fans, float reach_m) const
+{
+  constexpr int32_t kMost = 64;
+  constexpr float kCovered = 0.7F;  // of a cell, by one step between fans
+  const float fans_in_cell = kCovered * cell_m_ / (fans.width_rad() * reach_m);
+  int32_t step = 1;
+  while (2 * step <= kMost && static_cast<float>(2 * step) <= fans_in_cell)
+  {
+    step *= 2;
+  }
+  return fan_ % step == 0;
 }
 
 /** The highest beam up to which none is further over the next lower one than the obstacle height,

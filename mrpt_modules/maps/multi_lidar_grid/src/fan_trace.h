@@ -61,6 +61,7 @@ class FanTrace
     float top_slope = 0;
   };
 
+  bool isDue(const BeamFans& fans, float reach_m) const;
   bool isLow(float height_m, float along_m) const;
   void follow(const BeamFans& fans, const Pass& pass);
   void followRay(const GroundRay& ray, const Pass& pass);
