@@ -12,7 +12,6 @@ namespace traverse::multi_lidar_grid
 namespace
 {
 constexpr double kMm = geometry::kMillimetresPerMetre;
-constexpr double kMostHeight_mm = 1e6;
 constexpr double kFar_m = 1e9;
 
 /** As llround(). */
@@ -33,6 +32,11 @@ inline float boundedF(float x, float low, float high)
 {
   const float not_below = x > low ? x : low;
   return not_below < high ? not_below : high;
+}
+
+inline bool isIn(int32_t x, int32_t end)
+{
+  return static_cast<uint32_t>(x) < static_cast<uint32_t>(end);
 }
 
 inline bool isNear(double metres)
@@ -70,6 +74,11 @@ inline void toCells(
   const auto& T = f.T;
   const double by_cell = 1.0 / f.cell_mm;
   const double side_mm = static_cast<double>(f.edge) * f.cell_mm;
+  const auto side = static_cast<int32_t>(side_mm);
+  const double depth_mm = 2 * f.most_mm;
+  const double lowest_mm = f.zero_mm - f.most_mm;
+  const auto depth = static_cast<int32_t>(depth_mm);
+  const auto most = static_cast<int32_t>(f.most_mm);
   const double corner_x = f.min_x_mm / kMm;
   const double corner_y = f.min_y_mm / kMm;
   const double corner_z = f.zero_mm / kMm;
@@ -83,14 +92,17 @@ inline void toCells(
     const double z = T[2][0] * px + T[2][1] * py + T[2][2] * pz + T[2][3];
     const double x_mm = bounded(nearestWhole(x * kMm) - f.min_x_mm, -1, side_mm);
     const double y_mm = bounded(nearestWhole(y * kMm) - f.min_y_mm, -1, side_mm);
-    const double z_mm = bounded(nearestWhole(z * kMm) - f.zero_mm, -kMostHeight_mm, kMostHeight_mm);
+    const double z_mm = bounded(nearestWhole(z * kMm) - lowest_mm, -1, depth_mm);
     const auto column = static_cast<int32_t>((x_mm + 0.5) * by_cell);
     const auto row = static_cast<int32_t>((y_mm + 0.5) * by_cell);
     const bool is_good = isNear(x) & isNear(y) & isNear(z);
-    const bool in_region = (x_mm >= 0) & (x_mm < side_mm) & (y_mm >= 0) & (y_mm < side_mm) &
-                           (z_mm > -kMostHeight_mm) & (z_mm < kMostHeight_mm);
+    // By whole numbers: of comparisons with the bounds again the compiler makes branches.
+    const auto from_x = static_cast<int32_t>(x_mm);
+    const auto from_y = static_cast<int32_t>(y_mm);
+    const auto from_z = static_cast<int32_t>(z_mm);
+    const bool in_region = isIn(from_x, side) & isIn(from_y, side) & isIn(from_z, depth);
     cell[i] = is_good & in_region ? row * f.edge + column : BeamPoints::kNoCell;
-    height[i] = static_cast<int32_t>(z_mm);
+    height[i] = from_z - most;
     piece.x_m[i] = static_cast<float>(bounded(x - corner_x, -kFar_m, kFar_m));
     piece.y_m[i] = static_cast<float>(bounded(y - corner_y, -kFar_m, kFar_m));
     piece.z_m[i] = static_cast<float>(bounded(z - corner_z, -kFar_m, kFar_m));

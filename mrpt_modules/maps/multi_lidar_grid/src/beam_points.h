@@ -18,7 +18,8 @@ struct BeamFrame
   double T[3][4] = {};  //!< to the map frame, m
   double min_x_mm = 0;  //!< of the region; map frame, whole numbers
   double min_y_mm = 0;
-  double zero_mm = 0;  //!< heights count from here
+  double zero_mm = 0;    //!< heights count from here
+  double most_mm = 1e6;  //!< heights further up or down are none
   int32_t cell_mm = 1;
   int32_t edge = 0;      //!< of the region, cells
   double range2_m2 = 0;  //!< of the sensor, squared
