@@ -2,3 +2,5 @@
 traverse_test(unit torus_test USES geometry)
 traverse_test(property wrapped_grid_test USES layers)
 traverse_test(oracle distance_transform_test USES layers)
+traverse_test(unit safety_buffer_test USES multi_lidar_grid)
+traverse_test(property safety_strip_test USES multi_lidar_grid)

@@ -125,8 +125,9 @@ class Reach
           if ((neighbours == 8 || is_side) && x + dx >= 0 && x + dx < edge && y + dy >= 0 &&
               y + dy < edge)
           {
-            visit(static_cast<size_t>(y + dy) * static_cast<size_t>(edge) +
-                  static_cast<size_t>(x + dx));
+            visit(
+                static_cast<size_t>(y + dy) * static_cast<size_t>(edge) +
+                static_cast<size_t>(x + dx));
           }
         }
       }

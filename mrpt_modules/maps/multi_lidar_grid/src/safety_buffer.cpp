@@ -30,12 +30,10 @@ int64_t micrometres(double m)
 }
 
 /** The greatest squared distance in cells that is within a width; in integers, so that a width of
- * 15 cells reaches the 15th. */
-int32_t squaredCells(double width_m, double cell_size_m)
+ * 15 cells reaches the 15th. Micrometres. */
+int32_t squaredCells(int64_t width, int64_t cell)
 {
-  const int64_t width = micrometres(width_m);
-  const int64_t cell = std::max<int64_t>(micrometres(cell_size_m), 1);
-  if (width / cell >= kReach_cells)
+  if (cell == 0 || width / cell >= kReach_cells)
   {
     throw std::invalid_argument("a safety buffer reaches 16382 cells at most");
   }
@@ -85,9 +83,10 @@ void setZones(
 std::vector<uint8_t> safetyBuffer(
     std::span<const uint8_t> states, int32_t columns, const BufferParams& params)
 {
+  const int64_t hard = micrometres(params.hard_m);
+  const int64_t cell = micrometres(params.cell_size_m);
   const Limits limits = {
-      squaredCells(params.hard_m, params.cell_size_m),
-      squaredCells(params.hard_m + params.soft_m, params.cell_size_m)};
+      squaredCells(hard, cell), squaredCells(hard + micrometres(params.soft_m), cell)};
   layers::DistanceTransform transform(obstaclesOf(states), columns, limits.soft_squared);
   std::vector<uint8_t> zones(states.size());
   const auto width = static_cast<size_t>(columns);

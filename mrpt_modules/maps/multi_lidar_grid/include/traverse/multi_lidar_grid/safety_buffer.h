@@ -21,9 +21,16 @@ struct BufferParams
 };
 
 /** The adaptive safety buffer around obstacles and negative obstacles of a dense grid of `columns`
- * cells a row (codes of layers::OccupancyState): codes of layers::BufferZone. Obstacle cells
- * themselves are `hard`; unknown cells grow no buffer, have none, and are no part of a strip.
- * Throws std::invalid_argument where the number of states is no multiple of the columns. */
+ * cells a row (codes of layers::OccupancyState): codes of layers::BufferZone, by distances from the
+ * middle of a cell to that of the nearest obstacle. Obstacle cells themselves are `hard`; unknown
+ * cells grow no buffer, have none, and are no part of a strip.
+ *
+ * A strip (StripRule::standard) hangs together by the cells' sides along corridors that are 2 cells
+ * wider than the vehicle, and lies about a cell from their middle at most; it is led on until
+ * buffers no longer meet, and left out where it is shorter than wide and leads nowhere.
+ *
+ * Throws std::invalid_argument where the number of states is no multiple of the columns, a width is
+ * not of 0 to 1000 m, or reaches more than 16382 cells. */
 std::vector<uint8_t> safetyBuffer(
     std::span<const uint8_t> states, int32_t columns, const BufferParams& params);
 }  // namespace traverse::multi_lidar_grid
