@@ -5,105 +5,161 @@
 #include <algorithm>
 #include <cmath>
 
-// Where the ground falls away. A beam that should have met the ground goes on, and lands lower:
-// that is a ditch, a kerb, or a slope that begins there. What tells them apart is the surface it
-// lands on and the next beam beyond: carried back straight to where the beam left the ground, a
-// slope is at the ground's height there, and a ditch or a kerb is not.
+// Where the ground falls away. A fan's beams land further and further out; the ground between two
+// landings is taken to go on straight from the nearer one. A beam that lands lower than that has
+// passed over something: a ditch, a kerb, or a slope that begins there. What tells them apart is
+// where the next beam lands: carried back straight to the nearer landing, a slope comes out at the
+// ground's height, and a kerb does not; behind a ditch the surface rises again.
 namespace traverse::multi_lidar_grid
 {
 using layers::OccupancyState;
 
 namespace
 {
-constexpr float kReference_m = 0.08F;
-constexpr float kTilt = 0.005F;
+/** A beam that lands so far below the straight ground has sunk: the noise of its range and the
+ * ground's own unevenness, which grows from landing to landing. */
+float leastSink(float reach_m, float step_m)
+{
+  return 0.06F + 0.004F * reach_m + 0.03F * step_m;
+}
 
-/** The reference must have been measured so near. */
-constexpr float kMostGap_m = 2.5F;
+/** Behind a ditch whose floor nobody sees the surface rises by more than so much per metre. */
+constexpr float kRises = 0.15F;
 
-/** Nobody looks for the edge of a ditch further back. */
-constexpr float kWidest_m = 8;
+/** The slope at a landing is that from the last one this far before it. */
+constexpr float kSlopeOver_m = 0.5F;
 
-/** Surfaces are no steeper than one in so many metres for the carrying back. */
+/** Of a wall: no two landings are nearer. */
 constexpr float kLeastStep_m = 0.05F;
+
+/** The ground is not carried on further. */
+constexpr float kFurthest_m = 8;
+
+float heightOf(const FanBeam& beam)
+{
+  return beam.slope * beam.reach_m;
+}
 }  // namespace
 
-void FanTrace::sink(const BeamFans& fans, std::span<const FanBeam> beams, size_t k)
+/** Looks through a fan for beams that sank. Heights count from the sensor. */
+void FanTrace::findDitches(const BeamFans& fans, std::span<const FanBeam> beams)
 {
-  const FanBeam& beam = beams[k];
   const GroundRay middle = {origin_.x(), origin_.y(), fans.direction(fan_, 0)};
   const GroundRay::Stretch inside = middle.within(side_m_);
-  if (beam.slope >= 0 || beam.reach_m > std::min(inside.to_m, scene_.range_m) ||
-      beam.reach_m < inside.from_m)
+  const float most_m = std::min(inside.to_m, scene_.range_m);
+  Landing before;
+  Landing brink;  // of the last ditch
+  for (size_t k = 0; k < beams.size(); ++k)
+  {
+    const FanBeam& beam = beams[k];
+    if (!beam.is_hit || beam.slope >= 0 || beam.reach_m < inside.from_m || beam.reach_m >= most_m)
+    {
+      continue;
+    }
+    const float step_m = beam.reach_m - before.reach_m;
+    const float sunk_m = before.z_m + before.slope * step_m - heightOf(beam);
+    if (before.is_ground && step_m > kLeastStep_m && step_m < kFurthest_m &&
+        sunk_m > leastSink(beam.reach_m, step_m))
+    {
+      sink(fans, before, beams.subspan(k), sunk_m);
+      brink = before;
+      before = {beam.reach_m, heightOf(beam), before.slope, beam.reach_m, heightOf(beam), true};
+      continue;
+    }
+    markFloor(middle, brink, beam);
+    const float over_m = heightOver(middle, beam.slope, beam.reach_m);
+    const bool is_ground = std::abs(over_m) <= scene_.rules.obstacle_m();
+    before = after(before, beam, is_ground);
+  }
+}
+
+/** What is known at a landing, with the slope of the way to it. */
+FanTrace::Landing FanTrace::after(const Landing& before, const FanBeam& beam, bool is_ground) const
+{
+  Landing here;
+  here.reach_m = beam.reach_m;
+  here.z_m = heightOf(beam);
+  here.is_ground = is_ground;
+  if (before.is_ground)
+  {
+    const bool is_far = beam.reach_m - before.from_m >= kSlopeOver_m;
+    here.from_m = is_far ? before.reach_m : before.from_m;
+    here.from_z_m = is_far ? before.z_m : before.from_z_m;
+    const float way_m = std::max(here.reach_m - here.from_m, kSlopeOver_m);
+    const auto most = static_cast<float>(scene_.rules.max_slope);
+    here.slope = std::clamp((here.z_m - here.from_z_m) / way_m, -most, most);
+  }
+  else
+  {
+    here.from_m = here.reach_m;
+    here.from_z_m = here.z_m;
+  }
+  return here;
+}
+
+/** The first of `beams` landed lower than the ground goes on. */
+void FanTrace::sink(
+    const BeamFans& fans, const Landing& before, std::span<const FanBeam> beams, float sunk_m)
+{
+  const FanBeam& landed = beams.front();
+  const float fall = before.slope - landed.slope;
+  if (fall <= 0)
   {
     return;
   }
-  const float over_m = heightOver(middle, beam.slope, beam.reach_m);
-  if (!(over_m < -(kReference_m + kTilt * beam.reach_m)))
+  const float edge_m = std::max(before.reach_m, landed.reach_m - sunk_m / fall);
+  if (!isDitch(before, beams, sunk_m, edge_m))
   {
     return;
   }
-  const float edge_m = edgeOf(middle, beam);
-  if (edge_m <= 0 || dropAt(middle, beams, k, edge_m) < scene_.rules.depth_m())
-  {
-    return;
-  }
-  const int32_t rays =
-      std::clamp(static_cast<int32_t>(std::ceil(fans.width_rad() * beam.reach_m / cell_m_)), 1, 16);
+  const int32_t rays = std::clamp(
+      static_cast<int32_t>(std::ceil(fans.width_rad() * landed.reach_m / cell_m_)), 1, 16);
   for (int32_t i = 0; i < rays; ++i)
   {
     const float part = (static_cast<float>(i) + 0.5F) / static_cast<float>(rays) - 0.5F;
-    markNegative({origin_.x(), origin_.y(), fans.direction(fan_, part)}, edge_m, beam.reach_m);
+    markNegative({origin_.x(), origin_.y(), fans.direction(fan_, part)}, edge_m, landed.reach_m);
   }
 }
 
-/** Where a beam that landed below the ground went through it; -1 where that cannot be told. */
-float FanTrace::edgeOf(const GroundRay& ray, const FanBeam& beam) const
+/** The floor of a ditch, where the ground reference has not followed down there. */
+void FanTrace::markFloor(const GroundRay& ray, const Landing& brink, const FanBeam& beam)
 {
-  const float last_m = std::max(ray.within(side_m_).from_m, beam.reach_m - kWidest_m);
-  for (float at_m = beam.reach_m; at_m > last_m; at_m -= cell_m_ / 2)
+  const float step_m = beam.reach_m - brink.reach_m;
+  const float sunk_m = brink.z_m + brink.slope * step_m - heightOf(beam);
+  if (brink.is_ground && step_m < kFurthest_m && sunk_m >= scene_.rules.depth_m())
   {
-    const GroundRay::Place place = ray.placeAt(at_m, 1 / cell_m_, edge_);
-    const float over_m = origin_.z() + beam.slope * at_m - scene_.ground.heightAt(place.x, place.y);
-    if (!(scene_.ground.gapAt(place.x, place.y) <= kMostGap_m))
-    {
-      return -1;
-    }
-    if (over_m >= 0)
-    {
-      return at_m;
-    }
+    markNegative(ray, beam.reach_m - cell_m_ / 2, beam.reach_m);
   }
-  return -1;
 }
 
-/** How much lower than the ground the surface beyond the edge begins, m. */
-float FanTrace::dropAt(
-    const GroundRay& ray, std::span<const FanBeam> beams, size_t k, float edge_m) const
+bool FanTrace::isDitch(
+    const Landing& before, std::span<const FanBeam> beams, float sunk_m, float edge_m) const
 {
-  const FanBeam& landed = beams[k];
-  const float over_m = heightOver(ray, landed.slope, landed.reach_m);
-  const auto beyond = std::find_if(
-      beams.begin() + static_cast<std::ptrdiff_t>(k) + 1, beams.end(),
+  const FanBeam& landed = beams.front();
+  const auto next = std::find_if(
+      beams.begin() + 1, beams.end(),
       [&](const FanBeam& b) { return b.is_hit && b.reach_m >= landed.reach_m - kLeastStep_m; });
-  if (beyond == beams.end() || beyond->reach_m > ray.within(side_m_).to_m)
+  if (next == beams.end())
   {
-    return 0;
+    return false;
   }
-  const float next_m = heightOver(ray, beyond->slope, beyond->reach_m);
-  if (!(next_m <= scene_.rules.obstacle_m()))  // an obstacle there, or unknown ground
+  const float step_m = std::max(next->reach_m - landed.reach_m, kLeastStep_m);
+  const float next_over_m =
+      heightOf(*next) - before.z_m - before.slope * (next->reach_m - before.reach_m);
+  const bool is_obstacle = next_over_m > scene_.rules.obstacle_m();
+  const float rise = is_obstacle ? 0 : (std::min(next_over_m, 0.0F) + sunk_m) / step_m;
+  const float depth_m = scene_.rules.depth_m();
+  if (sunk_m >= depth_m)
   {
-    return -over_m;
+    return sunk_m + std::min(rise, 0.0F) * (landed.reach_m - before.reach_m) >= depth_m;
   }
-  const float step_m = std::max(beyond->reach_m - landed.reach_m, kLeastStep_m);
-  const float slope = (std::min(next_m, 0.0F) - over_m) / step_m;
-  return slope * (landed.reach_m - edge_m) - over_m;
+  return rise >= kRises && sunk_m + rise * (landed.reach_m - edge_m) >= depth_m;
 }
 
 /** Cells without a word of their own, or with returns from below only. */
 void FanTrace::markNegative(const GroundRay& ray, float from_m, float to_m)
 {
-  CellWalk walk(ray, from_m + cell_m_ / 2, cell_m_, edge_);
+  CellWalk walk(ray, std::min(from_m + cell_m_ / 2, to_m), cell_m_, edge_);
   do
   {
     if (walk.at_m() > to_m)

@@ -52,13 +52,7 @@ void FanTrace::trace(
   {
     return;
   }
-  for (size_t k = 0; k < beams.size(); ++k)
-  {
-    if (beams[k].is_hit && isDue(fans, beams[k].reach_m))
-    {
-      sink(fans, beams, k);
-    }
-  }
+  findDitches(fans, beams);
 }
 
 /** Near the sensor fans are much narrower than cells: every second will do, or every fourth, ... */

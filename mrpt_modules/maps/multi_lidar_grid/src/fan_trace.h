@@ -61,6 +61,7 @@ class FanTrace
     float top_slope = 0;
   };
 
+  float heightOver(const GroundRay& ray, float slope, float along_m) const;
   bool isDue(const BeamFans& fans, float reach_m) const;
   bool isLow(float height_m, float along_m) const;
   void follow(const BeamFans& fans, const Pass& pass);
@@ -69,10 +70,24 @@ class FanTrace
   void free(const GroundRay::Place& place, float along_m, float ground_m, const Pass& pass);
   float topSlope(std::span<const FanBeam> beams, size_t k, float to_m) const;
 
-  void sink(const BeamFans& fans, std::span<const FanBeam> beams, size_t k);
-  float heightOver(const GroundRay& ray, float slope, float along_m) const;
-  float edgeOf(const GroundRay& ray, const FanBeam& beam) const;
-  float dropAt(const GroundRay& ray, std::span<const FanBeam> beams, size_t k, float edge_m) const;
+  /** Where a beam met the ground, and how that came there; heights from the sensor. */
+  struct Landing
+  {
+    float reach_m = 0;
+    float z_m = 0;
+    float slope = 0;
+    float from_m = 0;  //!< an earlier landing, for the slope of the next
+    float from_z_m = 0;
+    bool is_ground = false;
+  };
+
+  void findDitches(const BeamFans& fans, std::span<const FanBeam> beams);
+  Landing after(const Landing& before, const FanBeam& beam, bool is_ground) const;
+  void sink(
+      const BeamFans& fans, const Landing& before, std::span<const FanBeam> beams, float sunk_m);
+  bool isDitch(
+      const Landing& before, std::span<const FanBeam> beams, float sunk_m, float edge_m) const;
+  void markFloor(const GroundRay& ray, const Landing& brink, const FanBeam& beam);
   void markNegative(const GroundRay& ray, float from_m, float to_m);
 
   UnitCell& cellAt(const GroundRay::Place& place)

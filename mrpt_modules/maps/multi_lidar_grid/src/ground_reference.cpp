@@ -14,7 +14,7 @@ using geometry::CellIndex;
 using geometry::CellRect;
 using geometry::floorDiv;
 
-constexpr double kPatch_m = 1.0;
+constexpr double kPatch_m = 0.8;
 constexpr double kColumn_m = 0.25;
 
 /** A sensor's clouds are looked at for ground when one of these borders was passed. */
