@@ -125,7 +125,10 @@ class CorridorCheck
            std::abs(left_m(x, y)) < corridor_.width_m / 2 && std::abs(ahead_m(x, y)) < kReach_m + 1;
   }
 
-  static size_t at(int32_t x, int32_t y) { return static_cast<size_t>(y * kEdge + x); }
+  static size_t at(int32_t x, int32_t y)
+  {
+    return static_cast<size_t>(y) * kEdge + static_cast<size_t>(x);
+  }
 
   layers::BufferZone zone(int32_t x, int32_t y) const
   {

@@ -151,7 +151,7 @@ class Paper5Drive
   /** As fast as asked for, with at most 5 m/s2 to the side. */
   static double speedFor(const simulation::DriveParams& drive, double asked_mps)
   {
-    constexpr double kAside_mps2 = 5;
+    constexpr double kSideways = 5;  // m/s2
     double tightest_m = 1e3;
     for (size_t i = 0; i + 2 < drive.xs_m.size(); ++i)
     {
@@ -161,12 +161,11 @@ class Paper5Drive
       const double sine = std::abs(a.x() * b.y() - a.y() * b.x()) / (a.norm() * b.norm());
       tightest_m = std::min(tightest_m, a.norm() / std::max(sine, 1e-6));
     }
-    return std::min(asked_mps, std::sqrt(kAside_mps2 * tightest_m));
+    return std::min(asked_mps, std::sqrt(kSideways * tightest_m));
   }
 
   std::vector<evaluation::Departure> allDepartures() const
   {
-    constexpr double kStep_s = 0.1;
     simulation::Scene movers;
     movers.area = scene_.area;
     movers.terrain = scene_.terrain;
@@ -174,8 +173,9 @@ class Paper5Drive
         scene_.objects.begin(), scene_.objects.end(), std::back_inserter(movers.objects),
         [](const simulation::Object& o) { return o.motion.moves(); });
     std::vector<evaluation::MovingFrame> frames;
-    for (double time_s = 0; time_s < duration_s_; time_s += kStep_s)
+    for (int i = 0; i < static_cast<int>(10 * duration_s_); ++i)
     {
+      const double time_s = 0.1 * i;
       frames.push_back({time_s, {}});
       for (const auto& print : simulation::footprints(movers, vehicle_, time_s))
       {

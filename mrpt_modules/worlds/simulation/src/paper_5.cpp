@@ -38,7 +38,7 @@ Corners windingLine(double length_m, Random random)
   double straight_m = random.uniform(10, 30);
   const double tightest_m = random.uniform(20, 90);
   std::vector<Eigen::Vector2d> line = {at};
-  for (double along = 0; along < length_m; along += kStep_m)
+  for (int i = 0; i < static_cast<int>(length_m / kStep_m); ++i)
   {
     const double left = aim - heading;
     if (std::abs(left) > bend * kStep_m && bend > 0)
@@ -148,8 +148,9 @@ void Paper5::addDitches()
 {
   constexpr double kTried_m = 22;  // on either side of the drive, in stretches
   Random random = randomFor(Purpose::ditches);
-  for (double from = -half_m_; from < half_m_; from += kTried_m)
+  for (int i = 0; i < static_cast<int>(2 * half_m_ / kTried_m); ++i)
   {
+    const double from = -half_m_ + kTried_m * i;
     const bool along = random.chance(0.5);
     const double off = half_road_m_ + random.uniform(3, 5.5);
     const double left = side(random) * off;
