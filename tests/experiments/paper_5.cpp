@@ -35,7 +35,10 @@ class Run
 {
  public:
   explicit Run(uint64_t seed) :
-      drive_(seed, kDuration_s), departures_(drive_.departures()), returns_(drive_), truth_(drive_)
+      drive_(Paper5Drive::inStreet(seed, kDuration_s)),
+      departures_(drive_.departures()),
+      returns_(drive_),
+      truth_(drive_)
   {
     maps_.emplace_back(paper5Params(false), true, drive_);
     maps_.emplace_back(paper5Params(false), false, drive_);

@@ -20,25 +20,47 @@
 #include <utility>
 #include <vector>
 
-// The car of paper 5 in a street of ini/scenes/paper_5.ini: another street, speed and phase of the
-// lidars for every seed.
+// The car of paper 5, with its lidars, in the scenes that were made for it.
 namespace traverse::testing
 {
-/** A scene and a drive of `duration_s` through it. */
+/** A scene, and a car with lidars that drives through it. */
 class Paper5Drive
 {
  public:
-  Paper5Drive(uint64_t seed, double duration_s) : duration_s_(duration_s)
+  /** The INS's poses are known from the beginning, and are not among the events. */
+  Paper5Drive(
+      const simulation::SceneParams& words, simulation::RecordingParams params, uint64_t seed) :
+      scene_(simulation::buildScene(words)), vehicle_(params.vehicle), lidars_(params.lidars)
   {
-    const auto ini = config::IniDocument::fromFile(
-        std::filesystem::path(TRAVERSE_SOURCE_DIR) / "ini/scenes/paper_5.ini");
-    simulation::SceneParams words = simulating::readScene(ini);
+    const simulation::Ins ins(params.ins, seed);
+    params.ins.rate_hz = params.odometry.rate_hz = 0;
+    recording_ = std::make_unique<simulation::Recording>(scene_, params, seed);
+    duration_s_ = recording_->durationSeconds();
+    exact_ = poses::PoseTrack(recording_->trajectory(100));
+    std::vector<poses::StampedPose> poses;
+    for (uint64_t k = 0; k < ins.posesUntil(duration_s_); ++k)
+    {
+      const simulation::InsPose pose = ins.pose(k, recording_->drive());
+      poses.push_back({pose.stamp, pose.T_map_base});
+    }
+    ins_ = poses::PoseTrack(std::move(poses));
+  }
+
+  static config::IniDocument ini(const std::string& scene)
+  {
+    return config::IniDocument::fromFile(
+        std::filesystem::path(TRAVERSE_SOURCE_DIR) / "ini/scenes" / (scene + ".ini"));
+  }
+
+  /** In a street of ini/scenes/paper_5.ini: another street, speed and phases for every seed. */
+  static Paper5Drive inStreet(uint64_t seed, double duration_s)
+  {
+    simulation::SceneParams words = simulating::readScene(ini("paper_5"));
     words.extent.min_x_m = -200;  // for the fastest drive
     words.extent.max_x_m = 200;
     words.random.drive_m = 300;
     words = simulation::generate(words, seed);
-    scene_ = simulation::buildScene(words);
-    simulation::RecordingParams params = simulating::readRecording(ini);
+    simulation::RecordingParams params = simulating::readRecording(ini("paper_5"));
     params.drive.xs_m = words.drive_xs_m;
     params.drive.ys_m = words.drive_ys_m;
     simulation::Random random(simulation::mixed({seed, 5}));
@@ -50,19 +72,7 @@ class Paper5Drive
       lidar.start_s = random.uniform(0, 0.1);
       lidar.dead_after_s = lidar.dead_after_s > 0 ? duration_s / 2 : 0;
     }
-    lidars_ = params.lidars;
-    vehicle_ = params.vehicle;
-    const simulation::Ins ins(params.ins, seed);
-    params.ins.rate_hz = params.odometry.rate_hz = 0;  // not among the events
-    recording_ = std::make_unique<simulation::Recording>(scene_, params, seed);
-    exact_ = poses::PoseTrack(recording_->trajectory(100));
-    std::vector<poses::StampedPose> poses;
-    for (uint64_t k = 0; k < ins.posesUntil(duration_s); ++k)
-    {
-      const simulation::InsPose pose = ins.pose(k, recording_->drive());
-      poses.push_back({pose.stamp, pose.T_map_base});
-    }
-    ins_ = poses::PoseTrack(std::move(poses));
+    return {words, params, seed};
   }
 
   /** The next turn of any of the lidars as it arrives; nothing at the end. */
@@ -191,10 +201,10 @@ class Paper5Drive
         frames, lattice, {cell(a.min_x_m, a.min_y_m), cell(a.max_x_m, a.max_y_m)});
   }
 
-  double duration_s_;
   simulation::Scene scene_;
   geometry::Vehicle vehicle_;
   std::vector<simulation::LidarParams> lidars_;
+  double duration_s_ = 0;
   std::unique_ptr<simulation::Recording> recording_;
   std::unique_ptr<simulation::RayCaster> caster_;
   poses::PoseTrack exact_;
