@@ -5,6 +5,7 @@
 #include <traverse/maps/CWrappableMultiLidarGrid.h>
 #include <traverse/options/untrusted_text.h>
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace traverse::maps
@@ -46,7 +47,8 @@ std::vector<std::string> CWrappableMultiLidarGrid::warnings() const
           meaningOf(health), poses::secondsBetween(sensor.newest, state_.now)));
     }
     const bool is_given = multi_lidar_grid::sensorParams(made_with_, sensor.label).is_offset_given;
-    if (sensor.clock_offset_s != 0 && !is_given)
+    constexpr double kNoticed_s = 0.01;  // half a step of those that are tried
+    if (std::abs(sensor.clock_offset_s) >= kNoticed_s && !is_given)
     {
       texts.push_back(fmt::format(
           "{}: its clock seems off, {:+.3f} s were added to its stamps (estimate_clock_offsets; "
