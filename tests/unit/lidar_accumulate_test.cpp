@@ -160,7 +160,7 @@ TEST(LidarAccumulate, AUnitMapGoesIntoTheCellsAtItsPlaces)
   std::mt19937 random(1);
   map.cells.forEach([&](traverse::geometry::CellIndex, UnitCell& cell)
                     { cell.state = static_cast<OccupancyState>(random() % 5); });
-  Accumulator(Params{}).add(cells, map, kWing);
+  Accumulator(Params{}).add(cells, map, UnitMapper(Params{}, {}), kWing);
   cells.forEach(
       [&](traverse::geometry::CellIndex at, const Cell& cell)
       {

@@ -70,6 +70,7 @@ void Accumulator::hit(Cell& cell, const Look& look) const
   cell.passes = 0;
   // What one sensor calls a ditch and another an obstacle is an obstacle.
   const bool stays = cell.state == OccupancyState::obstacle && !is_first;
+  cell.free_to = is_first ? look.cell.free_to : std::max(cell.free_to, look.cell.free_to);
   become(cell, stays ? OccupancyState::obstacle : look.cell.state, look.sensor_bit);
 }
 
@@ -101,6 +102,11 @@ void Accumulator::pass(Cell& cell, const Look& look) const
   {
     return;
   }
+  if (look.cell.state == OccupancyState::unknown)
+  {
+    become(cell, OccupancyState::unknown, 0);
+    return;
+  }
   const bool hangs = look.cell.state == OccupancyState::overhang;
   const bool hung = cell.state == OccupancyState::overhang;
   cell.free_to = look.cell.free_to;
@@ -121,8 +127,18 @@ void Accumulator::add(Cell& cell, const Look& look) const
 }
 
 void Accumulator::add(
-    layers::WrappedGrid<Cell>& cells, const UnitMap& map, uint32_t sensor_bit) const
+    layers::WrappedGrid<Cell>& cells,
+    const UnitMap& map,
+    const UnitMapper& mapper,
+    uint32_t sensor_bit) const
 {
+  // An obstacle's upper edge is where a beam may pass it and its cell.
+  constexpr double kUpperEdge_m = 0.1;
+  const auto passed = [&](geometry::CellIndex cell, const Cell& stored)
+  {
+    return stored.state == OccupancyState::obstacle &&
+           mapper.passedBelow(map, cell, stored.free_to * kFreeStep_m - kUpperEdge_m);
+  };
   const geometry::CellRect region = cells.region();
   const geometry::CellRect part = {
       {std::max(region.min.x, map.touched.min.x), std::max(region.min.y, map.touched.min.y)},
@@ -134,7 +150,8 @@ void Accumulator::add(
         Cell* const stored = &cells.at(first);  // both grids wrap at the same columns
         for (size_t i = 0; i < run.size(); ++i)
         {
-          if (run[i].state != OccupancyState::unknown)
+          const geometry::CellIndex cell = {first.x + static_cast<int32_t>(i), first.y};
+          if (run[i].state != OccupancyState::unknown || passed(cell, stored[i]))
           {
             add(stored[i], {run[i], map.stamp, sensor_bit});
           }

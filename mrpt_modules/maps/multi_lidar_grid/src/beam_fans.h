@@ -53,6 +53,9 @@ class BeamFans
   /** Azimuth covered by a fan, rad. */
   float width_rad() const { return width_rad_; }
 
+  /** The fan of an azimuth in turns, counter-clockwise from x of the map. */
+  size_t fanOf(float turn) const;
+
   /** A fan's middle, or `part` of its width from it (-0.5 to 0.5). */
   Direction direction(int32_t fan, float part) const
   {
@@ -75,7 +78,6 @@ class BeamFans
   void layOut(const points::Scan& scan, const BeamPoints& points);
   void setFans(int32_t fans);
   size_t levelOf(float slope) const;
-  size_t fanOf(float turn) const;
   void findLevels(const BeamPoints& points);
   double usualStep(const points::Scan& scan, const BeamPoints& points);
 

@@ -122,7 +122,7 @@ layers::UpdateStats update(
   sensor.has_cloud = true;
 
   // The latest unit map into the running one.
-  Accumulator(params).add(state.cells, sensor.latest, cloud.sensor_bit);
+  Accumulator(params).add(state.cells, sensor.latest, state.mapper, cloud.sensor_bit);
   advance(state, state.now, params);
 
   stats.points = counts.points;

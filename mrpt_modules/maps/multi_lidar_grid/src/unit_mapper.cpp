@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "azimuth.h"
 #include "beam_fans.h"
 #include "cell_columns.h"
 #include "cloud_frame.h"
@@ -14,7 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace traverse::multi_lidar_grid
 {
@@ -51,6 +54,14 @@ OccupancyState stateOf(Returns returns)
   }
 }
 
+/** How high an obstacle was hit over the ground, or over its lowest return. */
+uint8_t heightSteps(const Column& column)
+{
+  const int32_t zero = column.ground == Column::kNoGround ? column.low : column.ground;
+  const double steps = (column.hits_to - zero) / (kFreeStep_m * kMm);
+  return static_cast<uint8_t>(std::clamp(steps, 0.0, 255.0));
+}
+
 CellRect around(CellIndex a)
 {
   return {a, {a.x + 1, a.y + 1}};
@@ -72,6 +83,7 @@ struct UnitMapper::Work
   void traceFans(const Cloud& cloud, const SensorParams& sensor, UnitMap& map);
   void tracePaper(const Cloud& cloud, UnitMap& map);
   void finish(UnitMap& map) const;
+  float passOver_m(int32_t x, int32_t y);
   CellIndex cellOf(int32_t column_cell, const CellRect& region) const;
 
   Rules rules;
@@ -81,6 +93,7 @@ struct UnitMapper::Work
   BeamPoints points;
   CellColumns columns;
   BeamFans fans;
+  std::vector<Eigen::Vector3f> origins;  // of the fans of the last cloud, none of paper's trace
   PaperLidar paper;
   const LocalGround* local_ground = nullptr;
   bool is_level = false;
@@ -156,6 +169,7 @@ void UnitMapper::Work::judgeCells(UnitMap& map)
     UnitCell& cell = map.cells.at(index);
     const Returns returns = judge(rules, column);
     cell.state = stateOf(returns);
+    cell.free_to = cell.state == OccupancyState::obstacle ? heightSteps(column) : uint8_t{0};
     cell.returns = static_cast<uint8_t>(std::min(column.count - column.count_high, 255U));
     cell.passed_hits = returns == Returns::hanging ? kHangs : 0;
     map.touched = bounding(map.touched, around(index));
@@ -169,6 +183,7 @@ void UnitMapper::Work::traceFans(const Cloud& cloud, const SensorParams& sensor,
       rules, *local_ground, columns, region, static_cast<float>(sensor.range_m), is_level};
   FanTrace trace(scene, map);
   float reach_m = 0;
+  origins.assign(static_cast<size_t>(fans.count()), localOrigin(cloud, frame, 0));
   for (int32_t fan = 0; fan < fans.count(); ++fan)
   {
     const std::span<const FanBeam> beams = fans.beams(fan);
@@ -176,7 +191,9 @@ void UnitMapper::Work::traceFans(const Cloud& cloud, const SensorParams& sensor,
     {
       continue;
     }
-    trace.trace(localOrigin(cloud, frame, fans.time_s(fan)), fans, fan, beams);
+    Eigen::Vector3f& origin = origins[static_cast<size_t>(fan)];
+    origin = localOrigin(cloud, frame, fans.time_s(fan));
+    trace.trace(origin, fans, fan, beams);
     for (const FanBeam& beam : beams)
     {
       reach_m = std::max(reach_m, beam.reach_m);
@@ -205,6 +222,43 @@ void UnitMapper::Work::tracePaper(const Cloud& cloud, UnitMap& map)
   const CellRect seen =
       paper.trace(frame, stand, static_cast<uint8_t>(std::min(steps, 255.0)), map);
   map.touched = bounding(map.touched, seen);
+}
+
+/** Height over the ground, m, at which the lowest beam passed a cell of the region's x and y;
+ * infinite where none did. */
+float UnitMapper::Work::passOver_m(int32_t x, int32_t y)
+{
+  constexpr float kNone = std::numeric_limits<float>::infinity();
+  if (origins.empty())
+  {
+    return kNone;
+  }
+  const float cell_m = rules.cell_m();
+  const Eigen::Vector2f place(
+      (static_cast<float>(x) + 0.5F) * cell_m, (static_cast<float>(y) + 0.5F) * cell_m);
+  // The vehicle moves while the sensor turns: the fan that looks there says from where it looked.
+  Eigen::Vector3f origin = origins.front();
+  size_t fan = 0;
+  for (int i = 0; i < 2; ++i)
+  {
+    const Eigen::Vector2f to = place - origin.head<2>();
+    if (to.isZero())
+    {
+      return kNone;
+    }
+    fan = fans.fanOf(turnOf(to.x(), to.y()));
+    origin = origins[fan];
+  }
+  const float along_m = (place - origin.head<2>()).norm();
+  for (const FanBeam& beam : fans.beams(static_cast<int32_t>(fan)))
+  {
+    if (beam.reach_m > along_m + cell_m)
+    {
+      const float height_m = origin.z() + beam.slope * along_m - local_ground->heightAt(x, y);
+      return height_m == height_m ? height_m : kNone;
+    }
+  }
+  return kNone;
 }
 
 void UnitMapper::Work::finish(UnitMap& map) const
@@ -243,6 +297,7 @@ UnitMapper::Counts UnitMapper::make(
   map.stamp = cloud.stamp;
   const CellRect& region = map.cells.region();
 
+  work.origins.clear();
   work.locatePoints(cloud, sensor, region);
   if (work.rules.needsGround())
   {
@@ -267,6 +322,13 @@ UnitMapper::Counts UnitMapper::make(
   work.finish(map);
   const uint64_t size = work.points.size;
   return {work.points.inside, size - work.points.inside - work.points.bad, work.points.bad};
+}
+
+bool UnitMapper::passedBelow(const UnitMap& map, CellIndex cell, double height_m) const
+{
+  const CellRect& region = map.cells.region();
+  return region.contains(cell) &&
+         work_->passOver_m(cell.x - region.min.x, cell.y - region.min.y) < height_m;
 }
 
 double UnitMapper::groundAt(CellIndex cell) const

@@ -11,7 +11,7 @@ namespace traverse::multi_lidar_grid
 /** One look at a cell. */
 struct Look
 {
-  UnitCell cell;  //!< not unknown
+  UnitCell cell;  //!< unknown: beams passed where the obstacle was hit, too high to free the cell
   poses::TimeNs stamp = 0;
   uint32_t sensor_bit = 0;
 };
@@ -21,7 +21,9 @@ struct Look
  * `sweeps`: as many passes in a row as would have hit it with 95 % if it still stood, by the share
  * of looks that hit it before: clear_after_sweeps for what was hit by every look, more for a fence
  * seen edge-on. Passes older than the last hit say nothing; nor do, for kOthersWait_s after it,
- * those of sensors that never hit the cell: what one sensor sees and another overlooks stays.
+ * those of sensors that never hit the cell: what one sensor sees and another overlooks stays. A
+ * beam that passes through an obstacle where it was hit, but too high to know the cell free, is a
+ * pass too: enough of them leave it unknown.
  * `log_odds`: hits and passes shift the odds. Unknown erases nothing either way. */
 class Accumulator
 {
@@ -32,8 +34,13 @@ class Accumulator
 
   void add(Cell& cell, const Look& look) const;
 
-  /** All cells of a unit map that lie in the region of the accumulated one. */
-  void add(layers::WrappedGrid<Cell>& cells, const UnitMap& map, uint32_t sensor_bit) const;
+  /** All cells of a unit map that lie in the region of the accumulated one. `mapper` has just made
+   * it: obstacles that its cloud did not meet are asked for beams that passed through them. */
+  void add(
+      layers::WrappedGrid<Cell>& cells,
+      const UnitMap& map,
+      const UnitMapper& mapper,
+      uint32_t sensor_bit) const;
 
  private:
   void hit(Cell& cell, const Look& look) const;

@@ -19,8 +19,11 @@ namespace traverse::multi_lidar_grid
 struct Cell
 {
   layers::OccupancyState state = layers::OccupancyState::unknown;
-  uint8_t passes = 0;   //!< looks in a row that contradicted an obstacle
-  uint8_t free_to = 0;  //!< known free up to here over the ground, in steps of kFreeStep_m
+  uint8_t passes = 0;  //!< looks in a row that contradicted an obstacle
+
+  /** In steps of kFreeStep_m over the ground: free cells: known free up to here; obstacles: hit up
+   * to here. */
+  uint8_t free_to = 0;
 
   /** accumulation = log_odds: the log-odds of an obstacle, in steps of kLogOddsStep; = sweeps: the
    * share of looks that hit it lately, in 127ths. */

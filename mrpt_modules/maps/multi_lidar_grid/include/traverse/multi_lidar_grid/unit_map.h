@@ -18,7 +18,9 @@ struct UnitCell
 {
   layers::OccupancyState state = layers::OccupancyState::unknown;
   uint8_t returns = 0;  //!< in it, those above the vehicle's height left out; 255: or more
-  uint8_t free_to = 0;  //!< beams passed up to here over the ground, in steps of kFreeStep_m
+  /** In steps of kFreeStep_m over the ground: free cells: beams passed up to here; obstacles: hit
+   * up to here. */
+  uint8_t free_to = 0;
   uint8_t passed_hits =
       0;  //!< obstacle cells only: 1 where other beams went through at the heights of the hits
 };
@@ -60,6 +62,10 @@ class UnitMapper
 
   Counts make(
       const Cloud& cloud, const SensorParams& sensor, geometry::CellIndex centre, UnitMap& map);
+
+  /** Whether a beam of the cloud that `map` was just made of passed through a cell lower than this
+   * over the ground, and beyond it. Never with trace = paper. */
+  bool passedBelow(const UnitMap& map, geometry::CellIndex cell, double height_m) const;
 
   /** Height of the ground in a cell, m, map frame; NaN where it is not known. */
   double groundAt(geometry::CellIndex cell) const;
