@@ -13,6 +13,7 @@ using layers::OccupancyState;
 
 constexpr int kSure = 127;
 constexpr int kShareStep = 16;  // a look counts for a 16th of the share, the looks before for less
+constexpr int kForgotten = 16;  // a free cell of less is as one that was never hit
 constexpr int kMostPasses = 250;
 
 bool blocks(OccupancyState state)
@@ -32,6 +33,18 @@ int8_t towards(int share, int goal)
   const int left = goal - share;
   const int step = (std::abs(left) + kShareStep - 1) / kShareStep;
   return static_cast<int8_t>(left < 0 ? share - step : share + step);
+}
+
+/** The share after the looks in a row that passed: so long it is left as it was, to be held against
+ * them. */
+int8_t afterPasses(const Cell& cell)
+{
+  int8_t share = cell.belief;
+  for (int i = 0; i < cell.passes && share > 0; ++i)
+  {
+    share = towards(share, 0);
+  }
+  return share;
 }
 
 void become(Cell& cell, OccupancyState state, uint32_t sensor_bit)
@@ -64,8 +77,9 @@ void Accumulator::hit(Cell& cell, const Look& look) const
   }
   else
   {
-    const bool is_new = is_first && cell.belief == 0;
-    cell.belief = is_new ? int8_t{kSure} : towards(cell.belief, kSure);
+    const int8_t share = is_first ? cell.belief : afterPasses(cell);
+    const bool is_new = is_first && share < kForgotten;
+    cell.belief = is_new ? int8_t{kSure} : towards(share, kSure);
   }
   cell.passes = 0;
   // What one sensor calls a ditch and another an obstacle is an obstacle.
@@ -95,12 +109,23 @@ void Accumulator::pass(Cell& cell, const Look& look) const
       return;
     }
   }
-  cell.belief = log_odds_ ? static_cast<int8_t>(std::max(cell.belief + pass_step_, -most_))
-                          : towards(cell.belief, 0);
-  cell.passes = static_cast<uint8_t>(std::min(cell.passes + 1, kMostPasses));
-  if (blocks(cell.state) && !isContradicted(cell))
+  if (log_odds_)
   {
-    return;
+    cell.belief = static_cast<int8_t>(std::max(cell.belief + pass_step_, -most_));
+  }
+  else if (!blocks(cell.state))
+  {
+    cell.belief = towards(cell.belief, 0);
+  }
+  cell.passes = static_cast<uint8_t>(std::min(cell.passes + 1, kMostPasses));
+  if (blocks(cell.state))
+  {
+    if (!isContradicted(cell))
+    {
+      return;
+    }
+    cell.belief = log_odds_ ? cell.belief : afterPasses(cell);
+    cell.passes = 0;
   }
   if (look.cell.state == OccupancyState::unknown)
   {
