@@ -22,17 +22,12 @@ constexpr std::array<std::array<float, 3>, 3> kKernel = {{{-24, -8, 4}, {-8, 0, 
 
 /** Distances to the hard buffer, capped beyond the kernel's reach of what is soft, so that the cap
  * makes no ridge there. */
-std::vector<float> distancesToHard(const Buffer& buffer, int32_t soft_cells)
+std::vector<float> distancesTo(std::span<const uint8_t> is_hard, size_t columns, int32_t soft_cells)
 {
-  std::vector<uint8_t> is_hard(buffer.zones.size());
-  std::transform(
-      buffer.zones.begin(), buffer.zones.end(), is_hard.begin(),
-      [](uint8_t zone)
-      { return zone == static_cast<uint8_t>(layers::BufferZone::hard) ? uint8_t{1} : uint8_t{0}; });
   const int32_t cap = soft_cells + 5;
-  layers::DistanceTransform transform(is_hard, static_cast<int32_t>(buffer.columns), cap * cap);
+  layers::DistanceTransform transform(is_hard, static_cast<int32_t>(columns), cap * cap);
   std::vector<float> distances;
-  distances.reserve(buffer.zones.size());
+  distances.reserve(is_hard.size());
   layers::NearestRow row;
   for (int32_t y = 0; y < transform.rows(); ++y)
   {
@@ -61,11 +56,11 @@ float laplacianAt(const float* middle, size_t columns)
 }
 }  // namespace
 
-void cutByLaplacian(const Buffer& buffer, int32_t soft_cells)
+void cutByLaplacian(const Buffer& buffer, std::span<const uint8_t> is_hard, int32_t soft_cells)
 {
   const size_t columns = buffer.columns;
   const size_t rows = buffer.zones.size() / columns;
-  const std::vector<float> distances = distancesToHard(buffer, soft_cells);
+  const std::vector<float> distances = distancesTo(is_hard, columns, soft_cells);
   for (size_t y = kReach; y + kReach < rows; ++y)
   {
     for (size_t x = kReach; x + kReach < columns; ++x)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -92,6 +93,7 @@ std::vector<uint8_t> safetyBuffer(
   const auto width = static_cast<size_t>(columns);
   const Buffer buffer = {states, zones, width};
   Strip strip(buffer, limits.hard_squared);
+  std::vector<uint8_t> is_hard;  // of all cells, for strip = paper
   layers::NearestRow now;
   layers::NearestRow before;
   for (size_t y = 0; y * width < states.size(); ++y)
@@ -102,6 +104,13 @@ std::vector<uint8_t> safetyBuffer(
     {
       strip.addRow(y, now, before);
     }
+    else if (params.strip == StripRule::paper)
+    {
+      std::transform(
+          now.squared.begin(), now.squared.end(), std::back_inserter(is_hard),
+          [&](int32_t squared)
+          { return squared <= limits.hard_squared ? uint8_t{1} : uint8_t{0}; });
+    }
     std::swap(now, before);
   }
   if (params.strip == StripRule::standard)
@@ -110,7 +119,8 @@ std::vector<uint8_t> safetyBuffer(
   }
   else if (params.strip == StripRule::paper)
   {
-    cutByLaplacian(buffer, static_cast<int32_t>(std::ceil(params.soft_m / params.cell_size_m)));
+    cutByLaplacian(
+        buffer, is_hard, static_cast<int32_t>(std::ceil(params.soft_m / params.cell_size_m)));
   }
   return zones;
 }

@@ -43,6 +43,7 @@ class Strip
 };
 
 /** strip = paper: soft cells where the Laplacian (5 x 5, scale 1/48) of the distance to the hard
- * buffer, in cells, is below -0.3. soft_cells: width of the soft buffer. */
-void cutByLaplacian(const Buffer& buffer, int32_t soft_cells);
+ * buffer, in cells, is below -0.3. is_hard: of unknown cells too. soft_cells: width of the soft
+ * buffer. */
+void cutByLaplacian(const Buffer& buffer, std::span<const uint8_t> is_hard, int32_t soft_cells);
 }  // namespace traverse::multi_lidar_grid
