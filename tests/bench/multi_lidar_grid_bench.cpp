@@ -5,6 +5,7 @@
 // 750 x 750 cells beside OpenCV's distance transforms, where its headers are; a 1 m move. Each
 // checks its answer first.
 #include "buffer_by_opencv.h"
+#include "nuscenes_clouds.h"
 
 #include <traverse/multi_lidar_grid/multi_lidar_grid.h>
 #include <traverse/multi_lidar_grid/safety_buffer.h>
@@ -17,56 +18,22 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <octomap/octomap.h>
-#include <stdexcept>
-#include <support/labelled_clouds.h>
 
 namespace
 {
 using namespace traverse;
 using namespace traverse::multi_lidar_grid;
+using traverse::bench::cloud;
+using traverse::bench::kFolder;
+using traverse::bench::kMount_m;
+using traverse::bench::require;
 
-const std::filesystem::path kFolder =
-    std::filesystem::path(TRAVERSE_DATA_DIR) / "nuscenes-hdl32-labelled";
-const double kMount_m = testing::mountHeight_m(testing::Layout::nuscenes);
 const geometry::Vehicle kCar;
-
-void require(bool holds, const char* what)
-{
-  if (!holds)
-  {
-    throw std::runtime_error(what);
-  }
-}
-
-/** Two clouds, one after the other, so that no sensor seems stuck; on the ground's frame. */
-const points::ScanBuffer& cloud(size_t i)
-{
-  static const std::array<points::ScanBuffer, 2> kClouds = []
-  {
-    std::array<points::ScanBuffer, 2> clouds;
-    const auto files = testing::labelledFiles(testing::Layout::nuscenes, kFolder);
-    for (size_t k = 0; k < clouds.size(); ++k)
-    {
-      clouds[k] =
-          testing::readLabelled(testing::Layout::nuscenes, files.at(k).first, files.at(k).second)
-              .scan;
-      clouds[k].sensor_label = "roof";
-      clouds[k].T_base_sensor.translation().z() = kMount_m;
-      for (float& z : clouds[k].z)
-      {
-        z += static_cast<float>(kMount_m);
-      }
-    }
-    return clouds;
-  }();
-  return kClouds[i % 2];
-}
 
 const poses::PoseTrack& standing()
 {
