@@ -38,7 +38,8 @@ TEST(Ditches, AHoleIsNegative)
   const DrawnUnitMap grid =
       over([](double x, double y) { return x > 5 && x < 6.4 && y > -1 && y < 1 ? -2 : 0; });
   EXPECT_GE(grid.count(OccupancyState::negative, {5, -1}, {6.4, 1}), 40);  // of 70 cells
-  EXPECT_EQ(grid.count(OccupancyState::free, {5, -0.8}, {6.2, 0.8}), 0);
+  // At its near edge a column of cells has returns of its own.
+  EXPECT_EQ(grid.count(OccupancyState::free, {5.4, -0.8}, {6.2, 0.8}), 0);
 }
 
 TEST(Ditches, AKerbDownOfTheStatedDepthIsNegativeAndALowerOneIsNot)

@@ -112,12 +112,13 @@ void FanTrace::sink(
   {
     return;
   }
-  const int32_t rays = std::clamp(
-      static_cast<int32_t>(std::ceil(fans.width_rad() * landed.reach_m / cell_m_)), 1, 16);
+  const float width = kFansPerDitch * fans.width_rad() * landed.reach_m;
+  const int32_t rays = std::clamp(static_cast<int32_t>(std::ceil(width / cell_m_)), 1, 16);
   for (int32_t i = 0; i < rays; ++i)
   {
     const float part = (static_cast<float>(i) + 0.5F) / static_cast<float>(rays) - 0.5F;
-    markNegative({origin_.x(), origin_.y(), fans.direction(fan_, part)}, edge_m, landed.reach_m);
+    const Direction to = fans.direction(fan_, kFansPerDitch * part);
+    markNegative({origin_.x(), origin_.y(), to}, edge_m, landed.reach_m);
   }
 }
 
@@ -126,9 +127,14 @@ void FanTrace::markFloor(const GroundRay& ray, const Landing& brink, const FanBe
 {
   const float step_m = beam.reach_m - brink.reach_m;
   const float sunk_m = brink.z_m + brink.slope * step_m - heightOf(beam);
-  if (brink.is_ground && step_m < kFurthest_m && sunk_m >= scene_.rules.depth_m())
+  const GroundRay::Place place = ray.placeAt(beam.reach_m, 1 / cell_m_, edge_);
+  UnitCell& cell = cellAt(place);
+  const bool is_floor = brink.is_ground && step_m < kFurthest_m &&
+                        sunk_m >= scene_.rules.depth_m() &&
+                        scene_.columns.find(place.y * edge_ + place.x) != nullptr;
+  if (is_floor && cell.state == OccupancyState::unknown)
   {
-    markNegative(ray, beam.reach_m - cell_m_ / 2, beam.reach_m);
+    cell.state = OccupancyState::negative;
   }
 }
 
@@ -159,7 +165,7 @@ bool FanTrace::isDitch(
 /** Cells without a word of their own, or with returns from below only. */
 void FanTrace::markNegative(const GroundRay& ray, float from_m, float to_m)
 {
-  CellWalk walk(ray, std::min(from_m + cell_m_ / 2, to_m), cell_m_, edge_);
+  CellWalk walk(ray, std::min(from_m, to_m), cell_m_, edge_);
   do
   {
     if (walk.at_m() > to_m)

@@ -11,12 +11,6 @@ using layers::OccupancyState;
 
 namespace
 {
-/** No ground rises steeper towards a beam, up per along: how far it may be followed blindly. */
-constexpr float kSteepest = 0.7F;
-
-/** Where the ground is not known it is looked for again so far on. */
-constexpr float kUnknownStep_m = 0.5F;
-
 /** A beam so far below the ground reference is below the ground: the reference's own error, and
  * that of the sensor's tilt. */
 float sunkFrom(float along_m)
@@ -35,38 +29,36 @@ void FanTrace::trace(
 {
   origin_ = origin;
   fan_ = fan;
+  const float needed_m = neededFrom(fans);
   float reached_m = 0;
   for (size_t k = 0; k < beams.size(); ++k)
   {
     const float to_m = std::min(beams[k].reach_m, scene_.range_m);
     if (to_m > reached_m)
     {
-      if (isDue(fans, to_m))
+      if (to_m > needed_m)
       {
         follow(fans, {reached_m, to_m, beams[k].slope, topSlope(beams, k, to_m)});
       }
       reached_m = to_m;
     }
   }
-  if (scene_.rules.depth_mm <= 0 || scene_.is_level)
+  const bool seeks_ditches = scene_.rules.depth_mm > 0 && !scene_.is_level;
+  if (seeks_ditches && fan % kFansPerDitch == 0)
   {
-    return;
+    findDitches(fans, beams);
   }
-  findDitches(fans, beams);
 }
 
-/** Near the sensor fans are much narrower than cells: every second will do, or every fourth, ... */
-bool FanTrace::isDue(const BeamFans& fans, float reach_m) const
+/** Near the sensor fans are much narrower than cells: every second will do, or every fourth, ...
+ * From here on this fan is needed. */
+float FanTrace::neededFrom(const BeamFans& fans) const
 {
   constexpr int32_t kMost = 64;
   constexpr float kCovered = 0.7F;  // of a cell, by one step between fans
-  const float fans_in_cell = kCovered * cell_m_ / (fans.width_rad() * reach_m);
-  int32_t step = 1;
-  while (2 * step <= kMost && static_cast<float>(2 * step) <= fans_in_cell)
-  {
-    step *= 2;
-  }
-  return fan_ % step == 0;
+  const int32_t every = fan_ == 0 ? kMost : std::min(fan_ & -fan_, kMost);
+  const float step_rad = 2 * static_cast<float>(every) * fans.width_rad();
+  return every == kMost ? 0 : kCovered * cell_m_ / step_rad;
 }
 
 /** The highest beam up to which none is further over the next lower one than the obstacle height,
@@ -106,21 +98,34 @@ void FanTrace::followRay(const GroundRay& ray, const Pass& pass)
 {
   const GroundRay::Stretch inside = ray.within(side_m_);
   Pass part = pass;
-  part.from_m = std::max(pass.from_m, inside.from_m);
   part.to_m = std::min(pass.to_m, inside.to_m);
-  float at_m = part.from_m;
-  while (at_m < part.to_m)
+  part.from_m = std::max({pass.from_m, inside.from_m, lowFrom(ray, part)});
+  if (part.from_m < part.to_m)
   {
-    const float height_m = heightOver(ray, pass.slope, at_m);
-    if (isLow(height_m, at_m))
-    {
-      at_m = freeFrom(ray, part, at_m);
-      continue;
-    }
-    const float over_m = height_m - scene_.rules.obstacle_m();
-    const float jump_m = over_m / (kSteepest + std::max(0.0F, -pass.slope));
-    at_m += over_m != over_m ? kUnknownStep_m : std::max(jump_m, cell_m_ / 2);
+    freeAlong(ray, part);
   }
+}
+
+/** A beam comes down to its end: it is low only from here on. */
+float FanTrace::lowFrom(const GroundRay& ray, const Pass& pass) const
+{
+  constexpr float kMargin = 1.5F;  // the ground's slope is that at the end
+  constexpr float kLeastFall = 0.005F;
+  if (scene_.is_level || pass.to_m <= 0)
+  {
+    return 0;
+  }
+  const GroundRay::Place end = ray.placeAt(pass.to_m, 1 / cell_m_, edge_);
+  const float end_m = origin_.z() + pass.slope * pass.to_m;
+  const float over_m = end_m - scene_.ground.heightAt(end.x, end.y);
+  const float most_m = scene_.rules.obstacle_m();
+  if (!(over_m < most_m))  // or unknown
+  {
+    return pass.to_m;
+  }
+  const float fall = scene_.ground.slopeAt(end.x, end.y, ray.to) - pass.slope;
+  const float way_m = (most_m - over_m) / std::max(fall, kLeastFall);
+  return pass.to_m - kMargin * way_m - cell_m_;
 }
 
 /** Over the ground, m; NaN where that is not known. */
@@ -130,25 +135,23 @@ float FanTrace::heightOver(const GroundRay& ray, float slope, float along_m) con
   return origin_.z() + slope * along_m - scene_.ground.heightAt(place.x, place.y);
 }
 
-/** Frees cells as long as the beam is low, and returns how far that was. */
-float FanTrace::freeFrom(const GroundRay& ray, const Pass& pass, float at_m)
+/** Frees the cells where the beam is low. */
+void FanTrace::freeAlong(const GroundRay& ray, const Pass& pass)
 {
-  CellWalk walk(ray, at_m, cell_m_, edge_);
+  CellWalk walk(ray, pass.from_m, cell_m_, edge_);
   do
   {
-    const float along_m = walk.at_m();
+    if (walk.at_m() >= pass.to_m)
+    {
+      return;
+    }
+    const float along_m = std::min(walk.middle_m(), pass.to_m);
     const float ground_m = scene_.ground.heightAt(walk.place().x, walk.place().y);
-    if (along_m >= pass.to_m)
+    if (isLow(origin_.z() + pass.slope * along_m - ground_m, along_m))
     {
-      return pass.to_m;
+      free(walk.place(), along_m, ground_m, pass);
     }
-    if (!isLow(origin_.z() + pass.slope * along_m - ground_m, along_m))
-    {
-      return std::max(along_m, at_m + cell_m_ / 4);
-    }
-    free(walk.place(), along_m, ground_m, pass);
   } while (walk.next());
-  return pass.to_m;
 }
 
 void FanTrace::free(const GroundRay::Place& place, float along_m, float ground_m, const Pass& pass)

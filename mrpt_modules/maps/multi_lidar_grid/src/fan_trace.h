@@ -52,6 +52,9 @@ class FanTrace
       std::span<const FanBeam> beams);
 
  private:
+  /** Ditches are sought in every second fan, for two. */
+  static constexpr int32_t kFansPerDitch = 2;
+
   /** The lowest beam that passes, and how high the beams above it follow without a gap. */
   struct Pass
   {
@@ -62,11 +65,12 @@ class FanTrace
   };
 
   float heightOver(const GroundRay& ray, float slope, float along_m) const;
-  bool isDue(const BeamFans& fans, float reach_m) const;
+  float neededFrom(const BeamFans& fans) const;
+  float lowFrom(const GroundRay& ray, const Pass& pass) const;
   bool isLow(float height_m, float along_m) const;
   void follow(const BeamFans& fans, const Pass& pass);
   void followRay(const GroundRay& ray, const Pass& pass);
-  float freeFrom(const GroundRay& ray, const Pass& pass, float at_m);
+  void freeAlong(const GroundRay& ray, const Pass& pass);
   void free(const GroundRay::Place& place, float along_m, float ground_m, const Pass& pass);
   float topSlope(std::span<const FanBeam> beams, size_t k, float to_m) const;
 

@@ -77,6 +77,9 @@ class CellWalk
   /** Where the ray enters the cell. */
   float at_m() const { return at_m_; }
 
+  /** Half-way between that and where the ray leaves it. */
+  float middle_m() const { return (at_m_ + std::min(x_.next_m, y_.next_m)) / 2; }
+
   /** To the next cell; false where the region ends. */
   bool next()
   {

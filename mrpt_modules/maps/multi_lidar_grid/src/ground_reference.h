@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "beam_fans.h"
 #include "beam_points.h"
 
 #include <traverse/geometry/lattice.h>
@@ -44,11 +45,12 @@ class LocalGround
     return plane.z_m + plane.slope_x * x.offset_m + plane.slope_y * y.offset_m;
   }
 
-  float gapAt(int32_t column, int32_t row) const
+  /** Up per along in a direction. */
+  float slopeAt(int32_t column, int32_t row, const Direction& to) const
   {
     const auto i = static_cast<size_t>(
         along_y_[static_cast<size_t>(row)].patch + along_x_[static_cast<size_t>(column)].patch);
-    return planes_[i].gap_m;
+    return planes_[i].slope_x * to.x + planes_[i].slope_y * to.y;
   }
 
  private:
