@@ -108,58 +108,57 @@ GroundPlane<double> GroundReference::planeUnder(const Stand& stand) const
 
 void GroundReference::collect(const BeamPoints& points, const CellRect& region)
 {
-  const CellIndex first = {
-      static_cast<int32_t>(floorDiv(region.min.x, merged_)),
-      static_cast<int32_t>(floorDiv(region.min.y, merged_))};
-  const auto width = static_cast<int32_t>(floorDiv(region.max.x - 1, merged_)) - first.x + 1;
-  const auto height = static_cast<int32_t>(floorDiv(region.max.y - 1, merged_)) - first.y + 1;
-  slots_.assign(static_cast<size_t>(width) * static_cast<size_t>(height), -1);
+  const CellRect window = coarseWindow(region);
+  const int32_t width = window.width();
+  slots_.assign(static_cast<size_t>(width) * static_cast<size_t>(window.height()), -1);
   columns_.clear();
-  sums_.clear();
-  std::vector<int32_t>& slots = slots_;
   const int32_t edge = region.width();
-  const int32_t offset_x = region.min.x - first.x * merged_;
-  const int32_t offset_y = region.min.y - first.y * merged_;
-  auto slotOf = [&](int32_t cell) -> int32_t&
-  {
-    const int32_t y = (cell / edge + offset_y) / merged_;
-    const int32_t x = (cell % edge + offset_x) / merged_;
-    return slots[static_cast<size_t>(y * width + x)];
-  };
+  const int32_t offset_x = region.min.x - window.min.x * merged_;
+  const int32_t offset_y = region.min.y - window.min.y * merged_;
+  slot_of_point_.resize(points.size);
   for (size_t i = 0; i < points.size; ++i)
   {
+    slot_of_point_[i] = -1;
     if (points.cell[i] < 0)
     {
       continue;
     }
-    const float z = static_cast<float>(points.z_mm[i]) / 1000;
-    int32_t& slot = slotOf(points.cell[i]);
+    const int32_t x = (points.cell[i] % edge + offset_x) / merged_;
+    const int32_t y = (points.cell[i] / edge + offset_y) / merged_;
+    int32_t& slot = slots_[static_cast<size_t>(y * width + x)];
+    const float z_m = static_cast<float>(points.z_mm[i]) / 1000;
     if (slot < 0)
     {
       slot = static_cast<int32_t>(columns_.size());
-      const auto at = static_cast<int32_t>(&slot - slots.data());
       ground::Column column;
-      column.cell = {first.x + at % width, first.y + at / width};
-      column.low_m = column.top_m = z;
+      column.cell = {window.min.x + x, window.min.y + y};
+      column.low_m = column.top_m = z_m;
       columns_.push_back(column);
     }
-    ground::Column& column = columns_[static_cast<size_t>(slot)];
-    column.low_m = std::min(column.low_m, z);
+    slot_of_point_[i] = slot;
+    float& low_m = columns_[static_cast<size_t>(slot)].low_m;
+    low_m = std::min(low_m, z_m);
   }
+  addUp(points);
+}
+
+/** How high the columns reach, and their means. */
+void GroundReference::addUp(const BeamPoints& points)
+{
   sums_.assign(columns_.size(), 0);
   for (size_t i = 0; i < points.size; ++i)
   {
-    if (points.cell[i] < 0)
+    if (slot_of_point_[i] < 0)
     {
       continue;
     }
-    const float z = static_cast<float>(points.z_mm[i]) / 1000;
-    const auto slot = static_cast<size_t>(slotOf(points.cell[i]));
+    const auto slot = static_cast<size_t>(slot_of_point_[i]);
+    const float z_m = static_cast<float>(points.z_mm[i]) / 1000;
     ground::Column& column = columns_[slot];
-    if (z <= column.low_m + kColumnHeight_m)
+    if (z_m <= column.low_m + kColumnHeight_m)
     {
-      column.top_m = column.n == 0 ? z : std::max(column.top_m, z);
-      sums_[slot] += z;
+      column.top_m = column.n == 0 ? z_m : std::max(column.top_m, z_m);
+      sums_[slot] += z_m;
       ++column.n;
     }
   }
@@ -168,6 +167,14 @@ void GroundReference::collect(const BeamPoints& points, const CellRect& region)
     columns_[i].highest_m = columns_[i].top_m;
     columns_[i].mean_m = sums_[i] / static_cast<float>(columns_[i].n);
   }
+}
+
+CellRect GroundReference::coarseWindow(const CellRect& region) const
+{
+  const auto column = [&](int32_t cell) { return static_cast<int32_t>(floorDiv(cell, merged_)); };
+  return {
+      {column(region.min.x), column(region.min.y)},
+      {column(region.max.x - 1) + 1, column(region.max.y - 1) + 1}};
 }
 
 void GroundReference::add(const BeamPoints& points, const CellRect& region, const Stand& stand)
@@ -181,12 +188,7 @@ void GroundReference::add(const BeamPoints& points, const CellRect& region, cons
   const Eigen::Vector3d p = stand.T_map_base.translation();
   const ground::Seed seed = {p.x(),         p.y(),         static_cast<float>(under.z_m),
                              under.slope_x, under.slope_y, kStand_m};
-  const CellRect window = {
-      {static_cast<int32_t>(floorDiv(region.min.x, merged_)),
-       static_cast<int32_t>(floorDiv(region.min.y, merged_))},
-      {static_cast<int32_t>(floorDiv(region.max.x - 1, merged_)) + 1,
-       static_cast<int32_t>(floorDiv(region.max.y - 1, merged_)) + 1}};
-  estimator_.estimate(columns_, {&seed, 1}, coarse_, window, params_);
+  estimator_.estimate(columns_, {&seed, 1}, coarse_, coarseWindow(region), params_);
   take(region, stand);
 }
 

@@ -109,7 +109,9 @@ class GroundReference
   geometry::CellIndex patchOf(geometry::CellIndex cell) const;
   double middle_m(int32_t patch) const;
   GroundPlane<double> planeUnder(const Stand& stand) const;
+  geometry::CellRect coarseWindow(const geometry::CellRect& region) const;
   void collect(const BeamPoints& points, const geometry::CellRect& region);
+  void addUp(const BeamPoints& points);
   void take(const geometry::CellRect& region, const Stand& stand);
 
   geometry::Lattice lattice_;  // of the map's cells
@@ -122,7 +124,8 @@ class GroundReference
   std::array<Slot, 32> last_;
 
   ground::Estimator estimator_;
-  std::vector<int32_t> slots_;
+  std::vector<int32_t> slots_;          // of each coarse cell, its column's or -1
+  std::vector<int32_t> slot_of_point_;  // the same of each point
   std::vector<ground::Column> columns_;
   std::vector<float> sums_;
   LocalGround local_;

@@ -52,7 +52,7 @@ class UnitMapper
   UnitMapper& operator=(UnitMapper other) noexcept;
   ~UnitMapper();
 
-  /** Makes the unit map of a cloud, around `centre`. Bad points are skipped and counted. */
+  /** Points of a cloud. */
   struct Counts
   {
     uint64_t points = 0;   //!< that fell into cells
@@ -60,6 +60,10 @@ class UnitMapper
     uint64_t bad_points = 0;
   };
 
+  /** Makes the unit map of a cloud, around `centre`. Bad points are skipped and counted.
+   *
+   * A 2-D scanner's beams pass at one height: they free the cells they pass, up to that height
+   * (free_to), and what they meet is an obstacle if it stands higher than half of it. */
   Counts make(
       const Cloud& cloud, const SensorParams& sensor, geometry::CellIndex centre, UnitMap& map);
 
