@@ -80,6 +80,9 @@ TEST(OccupancyScore, WithoutReturnsWhatTheMapKnowsIsJudged)
   const OccupancyScore score = occupancyScore(occupancyOf({"0112"}), statesOf({"2122"}), strict());
   EXPECT_EQ(score.obstacles, 2U);
   EXPECT_EQ(score.found_obstacles, 1U);
+  layers::LayerSet moved = statesOf({"2122"});
+  addDrawn(moved, "truth_swept", {"0010"});  // something came there, and hides its inside
+  EXPECT_EQ(occupancyScore(occupancyOf({"0112"}), moved, strict()).obstacles, 1U);
 }
 
 TEST(OccupancyScore, NothingIsFalseWhereSomethingMoved)

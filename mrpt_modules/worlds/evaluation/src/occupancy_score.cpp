@@ -109,9 +109,12 @@ class Comparison
     return x * x + y * y;
   }
 
+  /** Without counts of returns, the inside of what came to free cells cannot be told from what was
+   * seen. */
   bool isSeen(geometry::CellIndex c) const
   {
-    return returns_.size() == 0 ? inMap(c) != Kind::unknown : returns_.at(c) >= params_.min_returns;
+    return returns_.size() == 0 ? inMap(c) != Kind::unknown && !wasSwept(c)
+                                : returns_.at(c) >= params_.min_returns;
   }
 
   template <class Test>

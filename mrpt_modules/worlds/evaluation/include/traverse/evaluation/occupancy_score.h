@@ -16,12 +16,12 @@ struct OccupancyParams
   std::string map_layer = "occupancy_state";  //!< codes of layers::OccupancyState
   std::string truth_layer = "truth_state";  //!< unknown 0, free 1, occupied 2, overhang 3, ditch 4
   std::string returns_layer = "returns";    //!< of the truth, uint32: what sensors had of the thing
-                                            //!< there; where there is none, what the map knows
+                                            //!< there; where there is none, all where nothing moved
   uint32_t min_returns = 2;                 //!< obstacle cells with fewer are left out
   std::string left_out_layer = "truth_swept";  //!< of the truth, uint8: where something moved
                                                //!< lately no cell is false
-  int32_t tolerance_cells = 1;  //!< a neighbour that far away may be right instead
-  double centre_x_m = 0;        //!< of the circle that is judged
+  int32_t tolerance_cells = 1;                 //!< a neighbour that far away may be right instead
+  double centre_x_m = 0;                       //!< of the circle that is judged
   double centre_y_m = 0;
   double radius_m = std::numeric_limits<double>::infinity();
   double ditch_radius_m = 15;  //!< ditches further from the centre are not judged
