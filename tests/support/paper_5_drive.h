@@ -129,12 +129,12 @@ class Paper5Drive
     return !(caster_->cast(ray, range).range_m < range - 0.05);
   }
 
-  /** Of cells that stay in view for a second after something moving left them. */
-  std::vector<evaluation::Departure> departures()
+  /** Of cells that stay in view for a second after a moving thing of that label left them. */
+  std::vector<evaluation::Departure> departures(simulation::Label label)
   {
     caster_ = std::make_unique<simulation::RayCaster>(scene_);
     std::vector<evaluation::Departure> seen;
-    for (const evaluation::Departure& departure : allDepartures())
+    for (const evaluation::Departure& departure : allDepartures(label))
     {
       const bool stays = departure.again_s > departure.left_s + 1 &&
                          isInView(departure.cell, departure.left_s + 0.2) &&
@@ -174,14 +174,14 @@ class Paper5Drive
     return std::min(asked_mps, std::sqrt(kSideways * tightest_m));
   }
 
-  std::vector<evaluation::Departure> allDepartures() const
+  std::vector<evaluation::Departure> allDepartures(simulation::Label label) const
   {
     simulation::Scene movers;
     movers.area = scene_.area;
     movers.terrain = scene_.terrain;
     std::copy_if(
         scene_.objects.begin(), scene_.objects.end(), std::back_inserter(movers.objects),
-        [](const simulation::Object& o) { return o.motion.moves(); });
+        [&](const simulation::Object& o) { return o.motion.moves() && o.label == label; });
     std::vector<evaluation::MovingFrame> frames;
     for (int i = 0; i < static_cast<int>(10 * duration_s_); ++i)
     {

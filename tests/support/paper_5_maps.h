@@ -120,12 +120,15 @@ class JudgedMap
     frames_.push_back(std::move(frame));
   }
 
-  nlohmann::json result(const std::vector<evaluation::Departure>& departures) const
+  nlohmann::json result(
+      const std::vector<evaluation::Departure>& people,
+      const std::vector<evaluation::Departure>& cars) const
   {
     return {
         {"plain", numbersOf(plain_)},
         {"strict", numbersOf(strict_)},
-        {"ghosts", evaluation::ghostScore(frames_, departures).seconds},
+        {"ghosts_people", evaluation::ghostScore(frames_, people).seconds},
+        {"ghosts_cars", evaluation::ghostScore(frames_, cars).seconds},
         {"clocks", clocks()}};
   }
 
