@@ -163,7 +163,7 @@ struct DrawnUnitMap
     cloud.scan = scan;
     cloud.stamp = scan.stamp;
     cloud.path = *grid::SensorPath::along(scan, scan.stamp, track);
-    const Eigen::Vector3d p = cloud.path.T_map_base().translation();
+    const Eigen::Vector3d p = cloud.path.pose().translation();
     counts = mapper.make(cloud, sensor, cellAt(p.x(), p.y()), map);
     ground_m = mapper.groundAt(cellAt(p.x(), p.y()));
   }

@@ -18,7 +18,7 @@ void setView(const Cloud& cloud, const SensorParams& sensor, BeamFrame& frame)
 {
   const double width_deg = sensor.last_azimuth_deg - sensor.first_azimuth_deg;
   const Eigen::Matrix3d R_map_sensor =
-      cloud.path.T_map_base().linear() * cloud.scan.T_base_sensor.linear();
+      cloud.path.pose().linear() * cloud.scan.T_base_sensor.linear();
   if (!(width_deg < 360) || !R_map_sensor.allFinite())
   {
     return;
@@ -59,7 +59,7 @@ BeamFrame frameOf(
     const Rules& rules)
 {
   BeamFrame frame;
-  const Eigen::Isometry3d& T = cloud.path.T_map_base();
+  const Eigen::Isometry3d& T = cloud.path.pose();
   for (int row = 0; row < 3; ++row)
   {
     for (int column = 0; column < 4; ++column)

@@ -54,7 +54,7 @@ void followRobot(State& state, const Cloud& cloud)
   {
     return;
   }
-  state.robot = poses::StampedPose{cloud.stamp, cloud.path.T_map_base()};
+  state.robot = poses::StampedPose{cloud.stamp, cloud.path.pose()};
   const Eigen::Vector3d p = state.robot->T_map_base.translation();
   state.cells.moveTo(
       state.lattice.cellOf(geometry::toMillimetres(p.x()), geometry::toMillimetres(p.y())));
@@ -107,9 +107,9 @@ layers::UpdateStats update(
   // The vehicle's pose at the cloud's own time, whatever other sensors do.
   const poses::TimeNs stamp = corrected(scan.stamp, sensor.clock_offset_s);
   const std::optional<SensorPath> path = SensorPath::along(scan, stamp, track);
-  stats.no_pose = !path || !isOnLattice(state, path->T_map_base());
+  stats.no_pose = !path || !isOnLattice(state, path->pose());
   if (stats.no_pose ||
-      arrive(sensor, scan, stamp, path->T_map_base().translation(), params) != Refusal::none)
+      arrive(sensor, scan, stamp, path->pose().translation(), params) != Refusal::none)
   {
     return stats;
   }

@@ -1,23 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "azimuth.h"
-#include "beam_fans.h"
-#include "cell_columns.h"
-#include "cloud_frame.h"
 #include "fan_trace.h"
-#include "ground_reference.h"
-#include "paper_lidar.h"
-#include "rules.h"
+#include "mapper_work.h"
 #include "silent_beams.h"
 
-#include <traverse/multi_lidar_grid/unit_map.h>
 #include <traverse/points/range_image.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
-#include <vector>
 
 namespace traverse::multi_lidar_grid
 {
@@ -68,37 +59,12 @@ CellRect around(CellIndex a)
 }
 }  // namespace
 
-struct UnitMapper::Work
+UnitMapper::Work::Work(const Params& params, const geometry::Vehicle& vehicle) :
+    rules(params, vehicle),
+    lattice(latticeOf(params)),
+    ground(latticeOf(params), edgeOf(params), vehicle)
 {
-  Work(const Params& params, const geometry::Vehicle& vehicle) :
-      rules(params, vehicle),
-      lattice(latticeOf(params)),
-      ground(latticeOf(params), edgeOf(params), vehicle)
-  {
-  }
-
-  void locatePoints(const Cloud& cloud, const SensorParams& sensor, const CellRect& region);
-  void findGround(const Cloud& cloud, const CellRect& region);
-  void judgeCells(UnitMap& map);
-  void traceFans(const Cloud& cloud, const SensorParams& sensor, UnitMap& map);
-  void tracePaper(const Cloud& cloud, UnitMap& map);
-  void finish(UnitMap& map) const;
-  float passOver_m(int32_t x, int32_t y);
-  CellIndex cellOf(int32_t column_cell, const CellRect& region) const;
-
-  Rules rules;
-  geometry::Lattice lattice;
-  GroundReference ground;
-  BeamFrame frame;
-  BeamPoints points;
-  CellColumns columns;
-  BeamFans fans;
-  std::vector<Eigen::Vector3f> origins;  // of the fans of the last cloud, none of paper's trace
-  PaperLidar paper;
-  const LocalGround* local_ground = nullptr;
-  bool is_level = false;
-  int32_t obstacle_mm = 0;  // for this sensor
-};
+}
 
 void UnitMapper::Work::locatePoints(
     const Cloud& cloud, const SensorParams& sensor, const CellRect& region)
@@ -119,7 +85,7 @@ void UnitMapper::Work::locatePoints(
 void UnitMapper::Work::findGround(const Cloud& cloud, const CellRect& region)
 {
   const GroundReference::Stand stand = {
-      cloud.path.T_map_base(), cloud.stamp, cloud.sensor_bit, frame.zero_mm / kMm};
+      cloud.path.pose(), cloud.stamp, cloud.sensor_bit, frame.zero_mm / kMm};
   is_level = fans.isLevelRow() && (cloud.scan.image == nullptr || cloud.scan.image->rows <= 1);
   if (!is_level && ground.isDue(stand))
   {
@@ -224,43 +190,6 @@ void UnitMapper::Work::tracePaper(const Cloud& cloud, UnitMap& map)
   map.touched = bounding(map.touched, seen);
 }
 
-/** Height over the ground, m, at which the lowest beam passed a cell of the region's x and y;
- * infinite where none did. */
-float UnitMapper::Work::passOver_m(int32_t x, int32_t y)
-{
-  constexpr float kNone = std::numeric_limits<float>::infinity();
-  if (origins.empty())
-  {
-    return kNone;
-  }
-  const float cell_m = rules.cell_m();
-  const Eigen::Vector2f place(
-      (static_cast<float>(x) + 0.5F) * cell_m, (static_cast<float>(y) + 0.5F) * cell_m);
-  // The vehicle moves while the sensor turns: the fan that looks there says from where it looked.
-  Eigen::Vector3f origin = origins.front();
-  size_t fan = 0;
-  for (int i = 0; i < 2; ++i)
-  {
-    const Eigen::Vector2f to = place - origin.head<2>();
-    if (to.isZero())
-    {
-      return kNone;
-    }
-    fan = fans.fanOf(turnOf(to.x(), to.y()));
-    origin = origins[fan];
-  }
-  const float along_m = (place - origin.head<2>()).norm();
-  for (const FanBeam& beam : fans.beams(static_cast<int32_t>(fan)))
-  {
-    if (beam.reach_m > along_m + cell_m)
-    {
-      const float height_m = origin.z() + beam.slope * along_m - local_ground->heightAt(x, y);
-      return height_m == height_m ? height_m : kNone;
-    }
-  }
-  return kNone;
-}
-
 void UnitMapper::Work::finish(UnitMap& map) const
 {
   for (const Column& column : columns.columns())
@@ -322,13 +251,6 @@ UnitMapper::Counts UnitMapper::make(
   work.finish(map);
   const uint64_t size = work.points.size;
   return {work.points.inside, size - work.points.inside - work.points.bad, work.points.bad};
-}
-
-bool UnitMapper::passedBelow(const UnitMap& map, CellIndex cell, double height_m) const
-{
-  const CellRect& region = map.cells.region();
-  return region.contains(cell) &&
-         work_->passOver_m(cell.x - region.min.x, cell.y - region.min.y) < height_m;
 }
 
 double UnitMapper::groundAt(CellIndex cell) const

@@ -23,7 +23,7 @@ class SensorPath
       const points::Scan& scan, poses::TimeNs stamp, const poses::PoseTrack& track);
 
   /** T_map_base at the scan's stamp, to which its points were deskewed. */
-  const Eigen::Isometry3d& T_map_base() const { return T_map_base_; }
+  const Eigen::Isometry3d& pose() const { return T_map_base_; }
 
   /** The sensor in the map frame at a time relative to the stamp, m; for a time that is none, where
    * it was first. */

@@ -42,8 +42,7 @@ enum class StripRule : uint8_t
   none,      //!< soft buffers stay whole
 };
 
-/** Section insertOpts of the map; doc/maps/multi_lidar_grid.md says how the defaults were chosen.
- */
+/** Section insertOpts of the map: doc/maps/multi_lidar_grid.md. */
 struct Params
 {
   double cell_size_m = 0.2;
