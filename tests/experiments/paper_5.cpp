@@ -202,7 +202,7 @@ void tellGhosts(
     const std::vector<nlohmann::json>& runs,
     nlohmann::ordered_json& figures)
 {
-  const auto ghostsOf = [&](const std::vector<std::string>& keys)
+  const auto ghosts_of = [&](const std::vector<std::string>& keys)
   {
     evaluation::GhostScore score;
     for (const nlohmann::json& one : runs)
@@ -216,11 +216,11 @@ void tellGhosts(
     std::sort(score.seconds.begin(), score.seconds.end());
     return score;
   };
-  const evaluation::GhostScore all = ghostsOf({"ghosts_people", "ghosts_cars"});
+  const evaluation::GhostScore all = ghosts_of({"ghosts_people", "ghosts_cars"});
   figures[prefix + "ghost_s_p50"] = all.percentile_s(0.5);
   figures[prefix + "ghost_s_p95"] = all.percentile_s(0.95);
-  figures[prefix + "ghost_people_s_p95"] = ghostsOf({"ghosts_people"}).percentile_s(0.95);
-  figures[prefix + "ghost_cars_s_p95"] = ghostsOf({"ghosts_cars"}).percentile_s(0.95);
+  figures[prefix + "ghost_people_s_p95"] = ghosts_of({"ghosts_people"}).percentile_s(0.95);
+  figures[prefix + "ghost_cars_s_p95"] = ghosts_of({"ghosts_cars"}).percentile_s(0.95);
   figures[prefix + "ghost_departures"] = all.seconds.size();
 }
 
