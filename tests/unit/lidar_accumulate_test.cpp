@@ -137,6 +137,26 @@ TEST(LidarAccumulate, ADitchBlocksAndIsClearedAsAnObstacleIs)
   EXPECT_EQ(cell.state, OccupancyState::free);
 }
 
+TEST(LidarAccumulate, ADitchStaysUntilItsGroundIsMet)
+{
+  const Accumulator accumulator{Params{}};
+  Cell cell;
+  accumulator.add(cell, look(OccupancyState::negative, kSecond));
+  Look skims = look(OccupancyState::free, 2 * kSecond);
+  for (int i = 0; i < 20; ++i)
+  {
+    accumulator.add(cell, skims);
+    skims.stamp += kSweep;
+  }
+  EXPECT_EQ(cell.state, OccupancyState::negative);
+  skims.cell.returns = 1;
+  for (int i = 0; i < 3; ++i)
+  {
+    accumulator.add(cell, skims);
+  }
+  EXPECT_EQ(cell.state, OccupancyState::free);
+}
+
 TEST(LidarAccumulate, LogOddsNeedAsManyPassesAsTheHitsAreWorth)
 {
   Params params;

@@ -104,7 +104,8 @@ void Accumulator::pass(Cell& cell, const Look& look) const
   {
     const bool is_other = (cell.seen_by & look.sensor_bit) == 0;
     const double since_s = poses::secondsBetween(cell.last_hit, look.stamp);
-    if (since_s <= 0 || (is_other && since_s < kOthersWait_s && !log_odds_))
+    const bool only_over = cell.state == OccupancyState::negative && look.cell.returns == 0;
+    if (since_s <= 0 || only_over || (is_other && since_s < kOthersWait_s && !log_odds_))
     {
       return;
     }
