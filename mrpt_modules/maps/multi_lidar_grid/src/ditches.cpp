@@ -70,6 +70,7 @@ void FanTrace::findDitches(const BeamFans& fans, std::span<const FanBeam> beams)
     const float over_m = heightOver(middle, beam.slope, beam.reach_m);
     const bool is_ground = std::abs(over_m) <= scene_.rules.obstacle_m();
     before = after(before, beam, is_ground);
+    level(middle, over_m, before);
   }
 }
 
@@ -95,6 +96,23 @@ FanTrace::Landing FanTrace::after(const Landing& before, const FanBeam& beam, bo
     here.from_z_m = here.z_m;
   }
   return here;
+}
+
+/** What lies on the ground does not carry it on: neither higher nor steeper up than the ground
+ * reference on the way to it. */
+void FanTrace::level(const GroundRay& ray, float over_m, Landing& landing) const
+{
+  constexpr float kSlack_m = 0.04F;
+  constexpr float kSlackSlope = 0.03F;
+  constexpr float kWay_m = 2;
+  const float ground_m = landing.z_m - over_m;
+  const float earlier_m = heightOver(ray, 0, std::max(landing.reach_m - kWay_m, 0.0F));
+  const float slope = (ground_m + earlier_m) / kWay_m;  // earlier_m: of the sensor over the ground
+  if (slope == slope)
+  {
+    landing.z_m = std::min(landing.z_m, ground_m + kSlack_m);
+    landing.slope = std::min(landing.slope, slope + kSlackSlope);
+  }
 }
 
 /** The first of `beams` landed lower than the ground goes on. */

@@ -87,6 +87,7 @@ class FanTrace
 
   void findDitches(const BeamFans& fans, std::span<const FanBeam> beams);
   Landing after(const Landing& before, const FanBeam& beam, bool is_ground) const;
+  void level(const GroundRay& ray, float over_m, Landing& landing) const;
   void sink(
       const BeamFans& fans, const Landing& before, std::span<const FanBeam> beams, float sunk_m);
   bool isDitch(
