@@ -137,7 +137,7 @@ TEST(LidarAccumulate, ADitchBlocksAndIsClearedAsAnObstacleIs)
   EXPECT_EQ(cell.state, OccupancyState::free);
 }
 
-TEST(LidarAccumulate, ADitchStaysUntilItsGroundIsMet)
+TEST(LidarAccumulate, ADitchStaysLongerThanBeamsSkimOverIt)
 {
   const Accumulator accumulator{Params{}};
   Cell cell;

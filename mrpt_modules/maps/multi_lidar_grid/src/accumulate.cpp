@@ -14,6 +14,7 @@ using layers::OccupancyState;
 constexpr int kSure = 127;
 constexpr int kShareStep = 16;  // a look counts for a 16th of the share, the looks before for less
 constexpr int kForgotten = 16;  // a free cell of less is as one that was never hit
+constexpr int kSkims = 8;       // so many beams over a ditch say as much as one that met ground there
 constexpr int kMostPasses = 250;
 
 bool blocks(OccupancyState state)
@@ -94,7 +95,8 @@ bool Accumulator::isContradicted(const Cell& cell) const
   {
     return cell.belief <= 0;
   }
-  const int enough = clear_after_ * kSure / std::max<int>(cell.belief, kSure / 16);
+  const int looks = clear_after_ * kSure / std::max<int>(cell.belief, kSure / 16);
+  const int enough = cell.state == OccupancyState::negative ? looks * kSkims : looks;
   return cell.passes >= std::min(enough, kMostPasses);
 }
 
@@ -104,8 +106,7 @@ void Accumulator::pass(Cell& cell, const Look& look) const
   {
     const bool is_other = (cell.seen_by & look.sensor_bit) == 0;
     const double since_s = poses::secondsBetween(cell.last_hit, look.stamp);
-    const bool only_over = cell.state == OccupancyState::negative && look.cell.returns == 0;
-    if (since_s <= 0 || only_over || (is_other && since_s < kOthersWait_s && !log_odds_))
+    if (since_s <= 0 || (is_other && since_s < kOthersWait_s && !log_odds_))
     {
       return;
     }
@@ -118,7 +119,9 @@ void Accumulator::pass(Cell& cell, const Look& look) const
   {
     cell.belief = towards(cell.belief, 0);
   }
-  cell.passes = static_cast<uint8_t>(std::min(cell.passes + 1, kMostPasses));
+  const bool is_met = cell.state == OccupancyState::negative && look.cell.returns > 0;
+  cell.passes =
+      static_cast<uint8_t>(std::min(cell.passes + (is_met ? kSkims : 1), kMostPasses));
   if (blocks(cell.state))
   {
     if (!isContradicted(cell))
