@@ -74,16 +74,6 @@ void unitMaps(benchmark::State& bench, const Params& params)
   }
 }
 
-void ours(benchmark::State& bench)
-{
-  unitMaps(bench, {});
-}
-
-void oursPaper(benchmark::State& bench)
-{
-  unitMaps(bench, paper());
-}
-
 /** A state after some clouds, 0.1 s apart. */
 State mapOf(const Params& params, int64_t clouds)
 {
@@ -150,16 +140,6 @@ void buffers(benchmark::State& bench, StripRule strip)
   {
     benchmark::DoNotOptimize(safetyBuffer(cells, 750, {.strip = strip}));
   }
-}
-
-void oursBuffer(benchmark::State& bench)
-{
-  buffers(bench, StripRule::standard);
-}
-
-void oursBufferPaper(benchmark::State& bench)
-{
-  buffers(bench, StripRule::paper);
 }
 
 #ifdef TRAVERSE_BENCH_OPENCV
@@ -272,12 +252,12 @@ void peerOctoMap(benchmark::State& bench)
 }
 }  // namespace
 
-BENCHMARK(ours)->Unit(benchmark::kMicrosecond);
-BENCHMARK(oursPaper)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(unitMaps, default, Params{})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(unitMaps, paper, paper())->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursUpdate)->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursMove)->Unit(benchmark::kMicrosecond);
-BENCHMARK(oursBuffer)->Unit(benchmark::kMicrosecond);
-BENCHMARK(oursBufferPaper)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(buffers, default, StripRule::standard)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(buffers, paper, StripRule::paper)->Unit(benchmark::kMicrosecond);
 #ifdef TRAVERSE_BENCH_OPENCV
 BENCHMARK(peerOpenCvBuffer)->Unit(benchmark::kMicrosecond);
 #endif

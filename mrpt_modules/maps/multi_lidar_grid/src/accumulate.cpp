@@ -14,7 +14,7 @@ using layers::OccupancyState;
 constexpr int kSure = 127;
 constexpr int kShareStep = 16;  // a look counts for a 16th of the share, the looks before for less
 constexpr int kForgotten = 16;  // a free cell of less is as one that was never hit
-constexpr int kSkims = 8;       // so many beams over a ditch say as much as one that met ground there
+constexpr int kSkims = 8;  // so many beams over a ditch say as much as one that met ground there
 constexpr int kMostPasses = 250;
 
 bool blocks(OccupancyState state)
@@ -120,8 +120,7 @@ void Accumulator::pass(Cell& cell, const Look& look) const
     cell.belief = towards(cell.belief, 0);
   }
   const bool is_met = cell.state == OccupancyState::negative && look.cell.returns > 0;
-  cell.passes =
-      static_cast<uint8_t>(std::min(cell.passes + (is_met ? kSkims : 1), kMostPasses));
+  cell.passes = static_cast<uint8_t>(std::min(cell.passes + (is_met ? kSkims : 1), kMostPasses));
   if (blocks(cell.state))
   {
     if (!isContradicted(cell))
