@@ -252,12 +252,16 @@ void peerOctoMap(benchmark::State& bench)
 }
 }  // namespace
 
-BENCHMARK_CAPTURE(unitMaps, default, Params{})->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(unitMaps, paper, paper())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(unitMaps, default, Params{})->Name("ours")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(unitMaps, paper, paper())->Name("oursPaper")->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursUpdate)->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursMove)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(buffers, default, StripRule::standard)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(buffers, paper, StripRule::paper)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(buffers, default, StripRule::standard)
+    ->Name("oursBuffer")
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(buffers, paper, StripRule::paper)
+    ->Name("oursBufferPaper")
+    ->Unit(benchmark::kMicrosecond);
 #ifdef TRAVERSE_BENCH_OPENCV
 BENCHMARK(peerOpenCvBuffer)->Unit(benchmark::kMicrosecond);
 #endif
