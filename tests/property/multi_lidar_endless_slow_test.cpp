@@ -71,8 +71,8 @@ class EndlessLidars : public ::testing::Test
 bool same(const Cell& a, const Cell& b)
 {
   return a.state == b.state && a.passes == b.passes && a.free_to == b.free_to &&
-         a.belief == b.belief && a.seen_by == b.seen_by && a.last_hit == b.last_hit &&
-         a.last_seen == b.last_seen;
+         a.hit_from == b.hit_from && a.belief == b.belief && a.seen_by == b.seen_by &&
+         a.last_hit == b.last_hit && a.last_seen == b.last_seen;
 }
 }  // namespace
 

@@ -75,7 +75,7 @@ TEST(Overhangs, AFreeCellSaysUpToWhichHeight)
   EXPECT_LE(grid.at(19, 0.1).free_to, 5);
 }
 
-TEST(Overhangs, BeamsThroughAFenceAreSaid)
+TEST(Overhangs, AnObstacleSaysBetweenWhichHeightsItWasHit)
 {
   points::ScanBuffer scan = DrawnLidar().turn({});
   DrawnLidar::add({6.1, 0.1, 0.8}, 31, scan);
@@ -83,12 +83,9 @@ TEST(Overhangs, BeamsThroughAFenceAreSaid)
   DrawnUnitMap grid;
   grid.make(scan.view());
   EXPECT_EQ(grid.stateAt(6.1, 0.1), OccupancyState::obstacle);
-  EXPECT_EQ(grid.at(6.1, 0.1).passed_hits, 1);
-  DrawnWorld world;
-  world.boxes = {{{10, -5, 0}, {10.3, 5, 3}}};
-  DrawnUnitMap wall;
-  wall.make(DrawnLidar().turn(world).view());
-  EXPECT_EQ(wall.at(10.1, 0.1).passed_hits, 0);
+  // The ground is known to a step of 5 cm.
+  EXPECT_NEAR(grid.at(6.1, 0.1).hit_from, 16, 1);
+  EXPECT_NEAR(grid.at(6.1, 0.1).free_to, 20, 1);
 }
 }  // namespace
 }  // namespace traverse

@@ -86,6 +86,7 @@ void Accumulator::hit(Cell& cell, const Look& look) const
   // What one sensor calls a ditch and another an obstacle is an obstacle.
   const bool stays = cell.state == OccupancyState::obstacle && !is_first;
   cell.free_to = is_first ? look.cell.free_to : std::max(cell.free_to, look.cell.free_to);
+  cell.hit_from = is_first ? look.cell.hit_from : std::min(cell.hit_from, look.cell.hit_from);
   become(cell, stays ? OccupancyState::obstacle : look.cell.state, look.sensor_bit);
 }
 
@@ -129,6 +130,7 @@ void Accumulator::pass(Cell& cell, const Look& look) const
     }
     cell.belief = log_odds_ ? cell.belief : afterPasses(cell);
     cell.passes = 0;
+    cell.hit_from = 0;
   }
   if (look.cell.state == OccupancyState::unknown)
   {
@@ -162,10 +164,18 @@ void Accumulator::add(
 {
   // An obstacle's upper edge is where a beam may pass it and its cell.
   constexpr double kUpperEdge_m = 0.1;
-  const auto passed = [&](geometry::CellIndex cell, const Cell& stored)
+  constexpr int kSlack = 2;  // steps, of the ground's height from look to look
+  const auto speaks = [&](geometry::CellIndex cell, const UnitCell& look, const Cell& stored)
   {
-    return stored.state == OccupancyState::obstacle &&
-           mapper.passedBelow(map, cell, stored.free_to * kFreeStep_m - kUpperEdge_m);
+    if (stored.state != OccupancyState::obstacle || blocks(look.state))
+    {
+      return look.state != OccupancyState::unknown;
+    }
+    const bool is_free = look.state != OccupancyState::unknown;
+    return (is_free && look.free_to + kSlack >= stored.hit_from) ||
+           mapper.passedBetween(
+               map, cell, stored.hit_from * kFreeStep_m,
+               stored.free_to * kFreeStep_m - kUpperEdge_m);
   };
   const geometry::CellRect region = cells.region();
   const geometry::CellRect part = {
@@ -179,7 +189,7 @@ void Accumulator::add(
         for (size_t i = 0; i < run.size(); ++i)
         {
           const geometry::CellIndex cell = {first.x + static_cast<int32_t>(i), first.y};
-          if (run[i].state != OccupancyState::unknown || passed(cell, stored[i]))
+          if (speaks(cell, run[i], stored[i]))
           {
             add(stored[i], {run[i], map.stamp, sensor_bit});
           }

@@ -160,16 +160,11 @@ void FanTrace::free(const GroundRay::Place& place, float along_m, float ground_m
   const float top_m = origin_.z() + pass.top_slope * along_m;
   if (cell.state == OccupancyState::obstacle)
   {
-    const Column* column = scene_.columns.find(place.y * edge_ + place.x);
-    const float low_m = origin_.z() + pass.slope * along_m;
-    const bool spans = column != nullptr && low_m * 1000 <= static_cast<float>(column->above) &&
-                       top_m * 1000 >= static_cast<float>(column->hits_to);
-    cell.passed_hits = static_cast<uint8_t>(cell.passed_hits | static_cast<uint8_t>(spans));
     return;
   }
   if (cell.state == OccupancyState::unknown)
   {
-    cell.state = cell.passed_hits == kHangs ? OccupancyState::overhang : OccupancyState::free;
+    cell.state = cell.hit_from == kHangs ? OccupancyState::overhang : OccupancyState::free;
   }
   if (cell.state == OccupancyState::negative)
   {

@@ -14,8 +14,8 @@
 
 namespace traverse::multi_lidar_grid
 {
-/** In passed_hits, until the end of a cloud: something hangs over a cell, and whether it is free
- * below is for the beams to say. */
+/** In hit_from of an unknown cell, until the end of a cloud: something hangs over a cell, and
+ * whether it is free below is for the beams to say. */
 inline constexpr uint8_t kHangs = 2;
 
 /** What all fans of a cloud have in common. */

@@ -27,7 +27,7 @@ struct UnitMapper::Work
   void traceFans(const Cloud& cloud, const SensorParams& sensor, UnitMap& map);
   void tracePaper(const Cloud& cloud, UnitMap& map);
   void finish(UnitMap& map) const;
-  float passOver_m(int32_t x, int32_t y);
+  bool passedBetween(int32_t x, int32_t y, float from_m, float to_m);
   geometry::CellIndex cellOf(int32_t column_cell, const geometry::CellRect& region) const;
 
   Rules rules;

@@ -3,18 +3,15 @@
 #include "azimuth.h"
 #include "mapper_work.h"
 
-#include <limits>
-
 namespace traverse::multi_lidar_grid
 {
-/** Height over the ground, m, at which the lowest beam passed a cell of the region's x and y;
- * infinite where none did. */
-float UnitMapper::Work::passOver_m(int32_t x, int32_t y)
+/** Whether a beam went on through a cell of the region's x and y between two heights over the
+ * ground. */
+bool UnitMapper::Work::passedBetween(int32_t x, int32_t y, float from_m, float to_m)
 {
-  constexpr float kNone = std::numeric_limits<float>::infinity();
   if (origins.empty())
   {
-    return kNone;
+    return false;
   }
   const float cell_m = rules.cell_m();
   const Eigen::Vector2f place(
@@ -27,27 +24,31 @@ float UnitMapper::Work::passOver_m(int32_t x, int32_t y)
     const Eigen::Vector2f to = place - origin.head<2>();
     if (to.isZero())
     {
-      return kNone;
+      return false;
     }
     fan = fans.fanOf(turnOf(to.x(), to.y()));
     origin = origins[fan];
   }
   const float along_m = (place - origin.head<2>()).norm();
+  const float sensor_m = origin.z() - local_ground->heightAt(x, y);
   for (const FanBeam& beam : fans.beams(static_cast<int32_t>(fan)))
   {
-    if (beam.reach_m > along_m + cell_m)
+    const float height_m = sensor_m + beam.slope * along_m;
+    if (beam.reach_m > along_m + cell_m && height_m >= from_m && height_m <= to_m)
     {
-      const float height_m = origin.z() + beam.slope * along_m - local_ground->heightAt(x, y);
-      return height_m == height_m ? height_m : kNone;
+      return true;
     }
   }
-  return kNone;
+  return false;
 }
 
-bool UnitMapper::passedBelow(const UnitMap& map, geometry::CellIndex cell, double height_m) const
+bool UnitMapper::passedBetween(
+    const UnitMap& map, geometry::CellIndex cell, double from_m, double to_m) const
 {
   const geometry::CellRect& region = map.cells.region();
-  return region.contains(cell) &&
-         work_->passOver_m(cell.x - region.min.x, cell.y - region.min.y) < height_m;
+  return from_m <= to_m && region.contains(cell) &&
+         work_->passedBetween(
+             cell.x - region.min.x, cell.y - region.min.y, static_cast<float>(from_m),
+             static_cast<float>(to_m));
 }
 }  // namespace traverse::multi_lidar_grid

@@ -45,12 +45,20 @@ OccupancyState stateOf(Returns returns)
   }
 }
 
-/** How high an obstacle was hit over the ground, or over its lowest return. */
-uint8_t heightSteps(const Column& column)
+/** A height over the ground, or over the column's lowest return. */
+uint8_t heightSteps(const Column& column, int32_t height_mm)
 {
   const int32_t zero = column.ground == Column::kNoGround ? column.low : column.ground;
-  const double steps = (column.hits_to - zero) / (kFreeStep_m * kMm);
+  const double steps = (height_mm - zero) / (kFreeStep_m * kMm);
   return static_cast<uint8_t>(std::clamp(steps, 0.0, 255.0));
+}
+
+void setHits(const Column& column, Returns returns, UnitCell& cell)
+{
+  const bool is_obstacle = cell.state == OccupancyState::obstacle;
+  cell.free_to = is_obstacle ? heightSteps(column, column.hits_to) : uint8_t{0};
+  const uint8_t hangs = returns == Returns::hanging ? kHangs : 0;
+  cell.hit_from = is_obstacle ? heightSteps(column, column.above) : hangs;
 }
 
 CellRect around(CellIndex a)
@@ -135,9 +143,8 @@ void UnitMapper::Work::judgeCells(UnitMap& map)
     UnitCell& cell = map.cells.at(index);
     const Returns returns = judge(rules, column);
     cell.state = stateOf(returns);
-    cell.free_to = cell.state == OccupancyState::obstacle ? heightSteps(column) : uint8_t{0};
+    setHits(column, returns, cell);
     cell.returns = static_cast<uint8_t>(std::min(column.count - column.count_high, 255U));
-    cell.passed_hits = returns == Returns::hanging ? kHangs : 0;
     map.touched = bounding(map.touched, around(index));
   }
 }
@@ -195,7 +202,7 @@ void UnitMapper::Work::finish(UnitMap& map) const
   for (const Column& column : columns.columns())
   {
     UnitCell& cell = map.cells.at(cellOf(column.cell, map.cells.region()));
-    cell.passed_hits = cell.passed_hits == 1 ? 1 : 0;
+    cell.hit_from = cell.state == OccupancyState::obstacle ? cell.hit_from : uint8_t{0};
   }
 }
 

@@ -36,7 +36,8 @@ class Accumulator
   void add(Cell& cell, const Look& look) const;
 
   /** All cells of a unit map that lie in the region of the accumulated one. `mapper` has just made
-   * it: obstacles that its cloud did not meet are asked for beams that passed through them. */
+   * it. An obstacle that its cloud did not meet is contradicted only where beams went through at
+   * the heights at which it was hit: those below a table say nothing of the table. */
   void add(
       layers::WrappedGrid<Cell>& cells,
       const UnitMap& map,

@@ -24,6 +24,7 @@ struct Cell
   /** In steps of kFreeStep_m over the ground: free cells: known free up to here; obstacles: hit up
    * to here. */
   uint8_t free_to = 0;
+  uint8_t hit_from = 0;  //!< obstacles: hit from here on, in the same steps
 
   /** accumulation = log_odds: the log-odds of an obstacle, in steps of kLogOddsStep; = sweeps: the
    * share of looks that hit it lately, in 127ths. */
@@ -34,7 +35,7 @@ struct Cell
   poses::TimeNs last_seen = 0;  //!< of anything said of it
 };
 
-static_assert(sizeof(Cell) == 24);
+static_assert(sizeof(Cell) == 32);
 
 inline constexpr double kLogOddsStep = 0.1;
 

@@ -21,8 +21,7 @@ struct UnitCell
   /** In steps of kFreeStep_m over the ground: free cells: beams passed up to here; obstacles: hit
    * up to here. */
   uint8_t free_to = 0;
-  uint8_t passed_hits =
-      0;  //!< obstacle cells only: 1 where other beams went through at the heights of the hits
+  uint8_t hit_from = 0;  //!< obstacles: hit from here on, in the same steps
 };
 
 inline constexpr double kFreeStep_m = 0.05;
@@ -67,9 +66,10 @@ class UnitMapper
   Counts make(
       const Cloud& cloud, const SensorParams& sensor, geometry::CellIndex centre, UnitMap& map);
 
-  /** Whether a beam of the cloud that `map` was just made of passed through a cell lower than this
-   * over the ground, and beyond it. Never with trace = paper. */
-  bool passedBelow(const UnitMap& map, geometry::CellIndex cell, double height_m) const;
+  /** Whether a beam of the cloud that `map` was just made of went on through a cell between two
+   * heights over the ground. Never with trace = paper. */
+  bool passedBetween(
+      const UnitMap& map, geometry::CellIndex cell, double from_m, double to_m) const;
 
   /** Height of the ground in a cell, m, map frame; NaN where it is not known. */
   double groundAt(geometry::CellIndex cell) const;
