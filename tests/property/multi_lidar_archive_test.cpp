@@ -205,6 +205,7 @@ struct Forgery
         out.u8(0);
         out.u8(0);
         out.u8(0);
+        out.u8(0);
         out.u32(seen_by);
         out.i64(0);
         out.i64(last_seen);
