@@ -62,16 +62,17 @@ struct Piece
 
 inline void toCells(
     const BeamFrame& frame,
-    const float* __restrict in_x,
-    const float* __restrict in_y,
-    const float* __restrict in_z,
-    size_t size,
+    const PointArrays& in,
     int32_t* __restrict cell,
     int32_t* __restrict height,
     Piece& __restrict piece)
 {
   const BeamFrame f = frame;
-  const auto& T = f.T;
+  const auto& T = f.to_map;
+  const float* __restrict const in_x = in.x;
+  const float* __restrict const in_y = in.y;
+  const float* __restrict const in_z = in.z;
+  const size_t size = in.size;
   const double by_cell = 1.0 / f.cell_mm;
   const double side_mm = static_cast<double>(f.edge) * f.cell_mm;
   const auto side = static_cast<int32_t>(side_mm);
@@ -138,16 +139,22 @@ inline void stay(const BeamFrame& f, Piece& piece)
   }
 }
 
+struct BeamArrays
+{
+  int32_t* cell;
+  float* reach_m;
+  float* slope;
+  float* turn;
+};
+
 inline void toBeams(
-    const BeamFrame& frame,
-    const Piece& __restrict piece,
-    size_t size,
-    int32_t* __restrict cell,
-    float* __restrict reach_m,
-    float* __restrict slope,
-    float* __restrict turn)
+    const BeamFrame& frame, const Piece& __restrict piece, size_t size, const BeamArrays& out)
 {
   const BeamFrame f = frame;
+  int32_t* __restrict const cell = out.cell;
+  float* __restrict const reach_m = out.reach_m;
+  float* __restrict const slope = out.slope;
+  float* __restrict const turn = out.turn;
   const auto range2 = static_cast<float>(f.range2_m2);
   const auto least2 = static_cast<float>(f.least2_m2);
   const bool sees_all = !f.has_view;
@@ -199,16 +206,16 @@ void locate(const BeamFrame& frame, const PointArrays& in, BeamPoints& points)
   {
     const size_t size = in.size - first < kPiece ? in.size - first : kPiece;
     int32_t* const cell = points.cell.data() + first;
-    toCells(
-        frame, in.x + first, in.y + first, in.z + first, size, cell, points.z_mm.data() + first,
-        piece);
+    const PointArrays part = {in.x + first, in.y + first, in.z + first, nullptr, size};
+    toCells(frame, part, cell, points.z_mm.data() + first, piece);
     if (moves)
     {
       toOrigins(frame, in.time_s + first, size, piece);
     }
     toBeams(
-        frame, piece, size, cell, points.reach_m.data() + first, points.slope.data() + first,
-        points.turn.data() + first);
+        frame, piece, size,
+        {cell, points.reach_m.data() + first, points.slope.data() + first,
+         points.turn.data() + first});
     count(piece, cell, size, points);
   }
 }

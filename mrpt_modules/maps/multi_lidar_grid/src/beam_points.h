@@ -15,8 +15,8 @@ struct BeamFrame
 {
   static constexpr size_t kMostOrigins = 16;
 
-  double T[3][4] = {};  //!< to the map frame, m
-  double min_x_mm = 0;  //!< of the region; map frame, whole numbers
+  double to_map[3][4] = {};  //!< of points, m
+  double min_x_mm = 0;       //!< of the region; map frame, whole numbers
   double min_y_mm = 0;
   double zero_mm = 0;    //!< heights count from here
   double most_mm = 1e6;  //!< heights further up or down are none

@@ -64,7 +64,7 @@ BeamFrame frameOf(
   {
     for (int column = 0; column < 4; ++column)
     {
-      frame.T[row][column] = T.matrix()(row, column);
+      frame.to_map[row][column] = T.matrix()(row, column);
     }
   }
   frame.min_x_mm = static_cast<double>(region.min.x) * rules.cell_mm;
