@@ -14,7 +14,7 @@ using layers::OccupancyState;
 constexpr int kSure = 127;
 constexpr int kShareStep = 16;  // a look counts for a 16th of the share, the looks before for less
 constexpr int kForgotten = 16;  // a free cell of less is as one that was never hit
-constexpr int kSkims = 8;  // so many beams over a ditch say as much as one that met ground there
+constexpr int kSkims = 2;  // so many beams over a ditch say as much as one that met ground there
 constexpr int kMostPasses = 250;
 
 bool blocks(OccupancyState state)

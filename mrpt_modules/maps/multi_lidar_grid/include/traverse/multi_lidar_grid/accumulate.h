@@ -23,8 +23,8 @@ struct Look
  * seen edge-on. Passes older than the last hit say nothing; nor do, for kOthersWait_s after it,
  * those of sensors that never hit the cell: what one sensor sees and another overlooks stays. A
  * beam that passes through an obstacle where it was hit, but too high to know the cell free, is a
- * pass too: enough of them leave it unknown. Of a ditch only looks that met its cell's ground are
- * passes: beams that skim over it are none.
+ * pass too: enough of them leave it unknown. Of a ditch a beam that skims over it is
+ * half a pass, one that met ground in its cell a whole one.
  * `log_odds`: hits and passes shift the odds. Unknown erases nothing either way. */
 class Accumulator
 {
