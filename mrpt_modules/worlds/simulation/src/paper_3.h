@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "random_draws.h"
 #include "random_plot.h"
 
 #include <traverse/simulation/random.h>
@@ -69,19 +70,6 @@ class Paper3
 
   /** Takes the corners over, rounded. */
   void follow(TerrainParams& strip, double from_m, double to_m, double left_m) const;
-
-  int seedOf(Random& random) const { return static_cast<int>(random.index(1000000)); }
-
-  /** Between half and one and a half times as many. */
-  static int about(int mean, Random& random)
-  {
-    return static_cast<int>(std::floor(mean * random.uniform(0.5, 1.5) + 0.5));
-  }
-
-  static double rounded(Random& random, double from, double to)
-  {
-    return inMillimetres(random.uniform(from, to));
-  }
 
   SceneParams& scene_;
   RandomSceneParams asks_;

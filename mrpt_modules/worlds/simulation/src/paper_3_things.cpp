@@ -26,13 +26,6 @@ enum Purpose : uint64_t
 
 /** How far the leaves go beyond the end of a branch, as a factor of its length; see addTree(). */
 constexpr double kLeaves = 1.45;
-
-ObjectParams object(ObjectKind kind)
-{
-  ObjectParams p;
-  p.kind = kind;
-  return p;
-}
 }  // namespace
 
 void Paper3::addThings()

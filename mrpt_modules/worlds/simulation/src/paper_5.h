@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "random_draws.h"
 #include "random_plot.h"
 
 #include <traverse/simulation/random.h>
@@ -40,6 +41,9 @@ class Paper5
   void addSmallThings();
   void addPeople();
 
+  /** Adds the thing there. */
+  void put(ObjectParams thing, const Eigen::Vector2d& at);
+
   /** Adds the thing beside the road, `radius_m` around it free, where a place is found. */
   void putSomewhere(ObjectParams thing, double radius_m, double farthest_m, Random& random);
 
@@ -47,19 +51,6 @@ class Paper5
   double anywhere(Random& random) const { return random.uniform(-half_m_, half_m_); }
 
   static double side(Random& random) { return random.chance(0.5) ? 1 : -1; }
-
-  static int seedOf(Random& random) { return static_cast<int>(random.index(1000000)); }
-
-  /** Between half and one and a half times as many. */
-  static int about(int mean, Random& random)
-  {
-    return static_cast<int>(std::floor(mean * random.uniform(0.5, 1.5) + 0.5));
-  }
-
-  static double rounded(Random& random, double from, double to)
-  {
-    return inMillimetres(random.uniform(from, to));
-  }
 
   SceneParams& scene_;
   RandomSceneParams asks_;

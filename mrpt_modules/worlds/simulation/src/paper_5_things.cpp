@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 namespace traverse::simulation
 {
@@ -25,13 +26,6 @@ enum Purpose : uint64_t
 constexpr int kTries = 40;
 constexpr double kPerson_m = 0.6;  // with what an outline may touch beside it
 constexpr double kLane_m = 2.9;    // of traffic beside the way's middle
-
-ObjectParams object(ObjectKind kind)
-{
-  ObjectParams p;
-  p.kind = kind;
-  return p;
-}
 
 ObjectParams vehicle(Random& random)
 {
@@ -111,15 +105,20 @@ void Paper5::addParkedVehicles()
       if (plot_.areFree(discs, half_road_m_ - 0.6))
       {
         plot_.take(discs);
-        p.x_m = inMillimetres(at.x());
-        p.y_m = inMillimetres(at.y());
         p.yaw_deg = inMillimetres(
             std::remainder(way_.yawDeg(along) + random.uniform(-4, 4) + (off > 0 ? 180 : 0), 360));
-        scene_.objects.push_back(p);
+        put(p, at);
         break;
       }
     }
   }
+}
+
+void Paper5::put(ObjectParams thing, const Eigen::Vector2d& at)
+{
+  thing.x_m = inMillimetres(at.x());
+  thing.y_m = inMillimetres(at.y());
+  scene_.objects.push_back(std::move(thing));
 }
 
 void Paper5::putSomewhere(ObjectParams thing, double radius_m, double farthest_m, Random& random)
@@ -133,10 +132,8 @@ void Paper5::putSomewhere(ObjectParams thing, double radius_m, double farthest_m
     if (plot_.isFree({at, radius_m}, half_road_m_))
     {
       plot_.take({at, radius_m});
-      thing.x_m = inMillimetres(at.x());
-      thing.y_m = inMillimetres(at.y());
       thing.seed = seedOf(random);
-      scene_.objects.push_back(std::move(thing));
+      put(std::move(thing), at);
       return;
     }
   }
@@ -182,10 +179,8 @@ void Paper5::addWalls()
       if (plot_.areFree(discs, half_road_m_ + 0.2))
       {
         plot_.take(discs);
-        p.x_m = inMillimetres(at.x());
-        p.y_m = inMillimetres(at.y());
         p.yaw_deg = inMillimetres(yaw);
-        scene_.objects.push_back(p);
+        put(p, at);
         break;
       }
     }
