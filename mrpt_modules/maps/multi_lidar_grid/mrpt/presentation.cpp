@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The map as files and as a scene.
-#include <traverse/formats/geotiff.h>
 #include <traverse/formats/occupancy_image.h>
-#include <traverse/formats/png.h>
 #include <traverse/formats/safe_file.h>
 #include <traverse/maps/CWrappableMultiLidarGrid.h>
 #include <traverse/observations/convert.h>
@@ -144,23 +142,9 @@ void CWrappableMultiLidarGrid::drawPoints(mrpt::opengl::CSetOfObjects& scene) co
   }
 }
 
-void CWrappableMultiLidarGrid::saveMetricMapRepresentationToFile(const std::string& prefix) const
+void CWrappableMultiLidarGrid::saveMore(
+    const std::string& prefix, const layers::LayerSet& set) const
 {
-  formats::writeFile(prefix + ".traverse", archive());
-  for (const layers::ExtraFile& file : extraFiles())
-  {
-    formats::writeFile(prefix + file.ending, file.bytes);
-  }
-  if (isEmpty())
-  {
-    return;
-  }
-  const layers::LayerSet set = layerSet();
-  for (const layers::Layer& layer : set.layers)
-  {
-    formats::writeFile(prefix + "_" + layer.name + ".tif", formats::geoTiff(set, layer));
-  }
-  formats::writeFile(prefix + "_class.png", formats::png(formats::classPicture(set)));
   const std::string name = std::filesystem::path(prefix).filename().string();
   const formats::OccupancyImage image =
       formats::occupancyOfClasses(set, name + ".pgm", {set.blocked_codes, {0}});

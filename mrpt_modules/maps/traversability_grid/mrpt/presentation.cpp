@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The map as files and as a scene.
-#include <traverse/formats/geotiff.h>
-#include <traverse/formats/png.h>
-#include <traverse/formats/safe_file.h>
+// The map as a scene.
 #include <traverse/maps/CTraversabilityGridMap.h>
 #include <traverse/observations/convert.h>
 #include <traverse/rendering/layer_surface.h>
@@ -77,24 +74,5 @@ void CTraversabilityGridMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& s
     axes->setPose(observations::toPose3D(state_.robot->T_map_base));
     scene.insert(axes);
   }
-}
-
-void CTraversabilityGridMap::saveMetricMapRepresentationToFile(const std::string& prefix) const
-{
-  formats::writeFile(prefix + ".traverse", archive());
-  for (const layers::ExtraFile& file : extraFiles())
-  {
-    formats::writeFile(prefix + file.ending, file.bytes);
-  }
-  if (isEmpty())
-  {
-    return;
-  }
-  const layers::LayerSet set = layerSet();
-  for (const layers::Layer& layer : set.layers)
-  {
-    formats::writeFile(prefix + "_" + layer.name + ".tif", formats::geoTiff(set, layer));
-  }
-  formats::writeFile(prefix + "_class.png", formats::png(formats::classPicture(set)));
 }
 }  // namespace traverse::maps

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/formats/bytes.h>
+#include <traverse/formats/geotiff.h>
+#include <traverse/formats/png.h>
+#include <traverse/formats/safe_file.h>
 #include <traverse/observations/convert.h>
 #include <traverse/observations/to_scan.h>
 #include <traverse/plugin/map_shell.h>
@@ -87,6 +90,26 @@ float MapShell::compute3DMatchingRatio(
 float MapShell::squareDistanceToClosestCorrespondence(float /*x*/, float /*y*/) const
 {
   return std::numeric_limits<float>::max();
+}
+
+void MapShell::saveMetricMapRepresentationToFile(const std::string& prefix) const
+{
+  formats::writeFile(prefix + ".traverse", archive());
+  for (const layers::ExtraFile& file : extraFiles())
+  {
+    formats::writeFile(prefix + file.ending, file.bytes);
+  }
+  if (isEmpty())
+  {
+    return;
+  }
+  const layers::LayerSet set = layerSet();
+  for (const layers::Layer& layer : set.layers)
+  {
+    formats::writeFile(prefix + "_" + layer.name + ".tif", formats::geoTiff(set, layer));
+  }
+  formats::writeFile(prefix + "_class.png", formats::png(formats::classPicture(set)));
+  saveMore(prefix, set);
 }
 
 std::string readBlob(mrpt::serialization::CArchive& in, const std::string& kind)

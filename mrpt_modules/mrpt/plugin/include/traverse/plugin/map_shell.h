@@ -39,7 +39,15 @@ class MapShell : public mrpt::maps::CMetricMap, public layers::ScanConsumer
       const mrpt::maps::TMatchingRatioParams& params) const override;
   float squareDistanceToClosestCorrespondence(float x, float y) const override;
 
+  /** Writes <prefix>.traverse (the archive), the map's extraFiles() as <prefix><ending>, and,
+   * unless the map is empty, <prefix>_<layer>.tif of each layer, <prefix>_class.png and what
+   * saveMore() writes. Throws formats::FileError. */
+  void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
+
  protected:
+  /** Files of a map that is not empty, beyond those of every map. */
+  virtual void saveMore(const std::string& /*prefix*/, const layers::LayerSet& /*set*/) const {}
+
   /** logLikelihood() of a map that is not empty. */
   virtual double logLikelihoodOf(
       const points::Scan& scan, const Eigen::Isometry3d& T_map_base) const = 0;

@@ -99,11 +99,6 @@ class CWrappableMultiLidarGrid : public MapShell
   std::string asString() const override;
   void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
 
-  /** Writes <prefix>.traverse (the archive) and, unless the map is empty, <prefix>.gridmap,
-   * <prefix>_<layer>.tif of each layer, <prefix>_class.png, and the occupancy as <prefix>.pgm and
-   * .yaml. Throws formats::FileError. */
-  void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
-
   MAP_DEFINITION_START(CWrappableMultiLidarGrid)
   multi_lidar_grid::Params insertionOpts;
   multi_lidar_grid::LikelihoodParams likelihoodOpts;
@@ -113,6 +108,9 @@ class CWrappableMultiLidarGrid : public MapShell
   MAP_DEFINITION_END(CWrappableMultiLidarGrid)
 
  private:
+  /** The occupancy as <prefix>.pgm and .yaml. */
+  void saveMore(const std::string& prefix, const layers::LayerSet& set) const override;
+
   /** A cloud to be drawn. */
   struct LatestPoints
   {

@@ -95,11 +95,6 @@ class CTraversabilityGridMap : public MapShell
   std::string asString() const override;
   void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
 
-  /** Writes <prefix>.traverse (the archive), <prefix>.bt and .ot where there is an octree, and,
-   * unless the map is empty, <prefix>_<layer>.tif of each layer and <prefix>_class.png. Throws
-   * formats::FileError. */
-  void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
-
   MAP_DEFINITION_START(CTraversabilityGridMap)
   traversability_grid::Params insertionOpts;
   traversability_grid::LikelihoodParams likelihoodOpts;
