@@ -55,10 +55,10 @@ class OverhangTable : public ::testing::TestWithParam<double>
     auto state = std::make_unique<multi_lidar_grid::State>(params, drive.vehicle());
     while (const auto turn = drive.next())
     {
-      points::Decoded decoded = Paper5Drive::decode(*turn);
-      if (points::deskew(decoded.scan, drive.ins()) != points::Deskew::no_poses)
+      points::Decoded cloud = decoded(*turn);
+      if (points::deskew(cloud.scan, drive.ins()) != points::Deskew::no_poses)
       {
-        multi_lidar_grid::update(*state, decoded.view(), drive.ins(), params, drive.vehicle());
+        multi_lidar_grid::update(*state, cloud.view(), drive.ins(), params, drive.vehicle());
       }
     }
     return state;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 #include <support/occupancy_pictures.h>
+#include <support/refusal.h>
 
 namespace
 {
@@ -39,7 +40,7 @@ Map sample()
         {
           cell.state = static_cast<layers::OccupancyState>(random() % 5);
           cell.passes = static_cast<uint8_t>(random());
-          cell.free_to = static_cast<uint8_t>(random());
+          cell.up_to = static_cast<uint8_t>(random());
           cell.belief = static_cast<int8_t>(random());
           cell.seen_by = random() % 4;
           cell.last_seen = static_cast<poses::TimeNs>(random());
@@ -56,15 +57,7 @@ std::string bytesOf(const Map& map)
 
 std::string refusal(std::string_view bytes)
 {
-  try
-  {
-    fromArchive(bytes);
-  }
-  catch (const FormatError& e)
-  {
-    return e.what();
-  }
-  return "accepted";
+  return refusalOf([&] { fromArchive(bytes); });
 }
 
 TEST(MultiLidarArchive, ComesBackAsTheSameMap)

@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ctime>
-#include <fstream>
 #include <support/endless_street.h>
-#include <unistd.h>
+#include <support/resources.h>
 
 namespace
 {
@@ -17,20 +15,6 @@ using namespace traverse::multi_lidar_grid;
 using layers::OccupancyState;
 
 constexpr double kStep_m = 5;
-
-double residentMb()
-{
-  double pages = 0;
-  std::ifstream("/proc/self/statm") >> pages >> pages;
-  return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
-
-double cpuSeconds()
-{
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 double median(std::vector<double> values)
 {
@@ -52,10 +36,10 @@ class EndlessLidars : public ::testing::Test
   {
     points::Scan scan = street_.cloud(i, poses_[i]).view();
     scan.sensor_label = i % 2 == 0 ? "roof" : "wing";
-    const double begin_s = cpuSeconds();
+    const double begin_s = traverse::testing::cpuSeconds();
     const layers::UpdateStats stats =
         update(state, scan, poses::PoseTrack::constant(poses_[i]), params_, vehicle_);
-    const double took_s = cpuSeconds() - begin_s;
+    const double took_s = traverse::testing::cpuSeconds() - begin_s;
     EXPECT_TRUE(stats.inserted) << i;
     return took_s;
   }
@@ -70,7 +54,7 @@ class EndlessLidars : public ::testing::Test
 
 bool same(const Cell& a, const Cell& b)
 {
-  return a.state == b.state && a.passes == b.passes && a.free_to == b.free_to &&
+  return a.state == b.state && a.passes == b.passes && a.up_to == b.up_to &&
          a.hit_from == b.hit_from && a.belief == b.belief && a.seen_by == b.seen_by &&
          a.last_hit == b.last_hit && a.last_seen == b.last_seen;
 }
@@ -83,12 +67,12 @@ TEST_F(EndlessLidars, MemoryAndTimeStayFlatAndTheMapIsThatOfTheLastWindow)
   {
     add(old, i);
   }
-  const double early_mb = residentMb();
+  const double early_mb = traverse::testing::residentMb();
   for (size_t i = at(5); i < at(100); ++i)
   {
     add(old, i);
   }
-  const double late_mb = residentMb();
+  const double late_mb = traverse::testing::residentMb();
   // 100 bytes of each cloud left behind would be 1.9 MB.
   EXPECT_LT(late_mb - early_mb, 1.5);
 

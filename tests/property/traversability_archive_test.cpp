@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <support/grid_scenes.h>
+#include <support/refusal.h>
 
 namespace
 {
@@ -44,15 +45,7 @@ std::string bytesOf(const Map& map)
 
 std::string refusal(std::string_view bytes)
 {
-  try
-  {
-    fromArchive(bytes);
-  }
-  catch (const FormatError& e)
-  {
-    return e.what();
-  }
-  return "accepted";
+  return refusalOf([&] { fromArchive(bytes); });
 }
 
 TEST(Archive, ComesBackAsTheSameMap)

@@ -3,23 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <support/endless_drive.h>
-#include <unistd.h>
 
 namespace
 {
 using namespace traverse;
 using namespace traverse::traversability_grid;
 using namespace traverse::testing;
-
-/** Memory of this process that is in RAM. */
-double residentMb()
-{
-  double pages = 0;
-  std::ifstream("/proc/self/statm") >> pages >> pages;
-  return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 /** 100 km, a cloud each 7.5 m, and 4 km more beside a young map; driven once for all tests. */
 class EndlessDrive : public ::testing::Test

@@ -5,9 +5,9 @@
 #include <traverse/traversability_grid/traversability_grid.h>
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <support/endless_street.h>
+#include <support/resources.h>
 #include <vector>
 
 namespace traverse::testing
@@ -28,13 +28,6 @@ inline Params with(Extent extent)
   Params params;
   params.extent = extent;
   return params;
-}
-
-inline double cpuSeconds()
-{
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 /** The most that a map had of each. */
@@ -111,7 +104,7 @@ class Drive
   size_t firstThatCounts() const
   {
     size_t first = windows_.size();
-    while (first > 0 && !Cells::intersection(windows_[first - 1], windows_.back()).empty())
+    while (first > 0 && !geometry::intersection(windows_[first - 1], windows_.back()).empty())
     {
       --first;
     }
@@ -125,7 +118,7 @@ class Drive
     return static_cast<size_t>(std::count_if(
         windows_.begin(), end,
         [&](const geometry::CellRect& w)
-        { return !Cells::intersection(w, windows_.back()).empty(); }));
+        { return !geometry::intersection(w, windows_.back()).empty(); }));
   }
 
   /** A map of the clouds from that one on. */

@@ -101,7 +101,7 @@ inline void accumulate(multi_lidar_grid::Map& map, const Drawing& drawing, uint3
         multi_lidar_grid::Cell& cell = map.state.cells.at(c);
         cell.state = state;
         cell.seen_by |= seen_by;
-        cell.free_to = state == layers::OccupancyState::free ? 5 : 0;
+        cell.up_to = state == layers::OccupancyState::free ? 5 : 0;
         cell.last_seen = map.state.now - 2'000'000'000;
         cell.last_hit = state == layers::OccupancyState::free ? 0 : cell.last_seen;
       });

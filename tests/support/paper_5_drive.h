@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "simulated_turns.h"
+
 #include <traverse/evaluation/departures.h>
 #include <traverse/points/deskew.h>
-#include <traverse/points/velodyne_scan.h>
 #include <traverse/simulating/recording_file.h>
 #include <traverse/simulating/scene_file.h>
 #include <traverse/simulation/build.h>
@@ -80,17 +81,6 @@ class Paper5Drive
   {
     auto event = recording_->next();
     return event ? std::optional(std::get<simulation::LidarTurn>(std::move(*event))) : std::nullopt;
-  }
-
-  static points::Decoded decode(const simulation::LidarTurn& turn)
-  {
-    const std::vector<sensors::VelodynePacket> views(turn.packets.begin(), turn.packets.end());
-    points::VelodyneInput input;
-    input.packets = views;
-    input.stamp = turn.stamp;
-    input.sensor_label = turn.label;
-    input.T_base_sensor = turn.T_base_sensor;
-    return points::decodeVelodyne(input);
   }
 
   /** How much a lidar's clock is ahead, s. */

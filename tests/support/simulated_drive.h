@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "simulated_turns.h"
+
 #include <traverse/geometry/lattice.h>
 #include <traverse/layers/layer_set.h>
 #include <traverse/points/deskew.h>
-#include <traverse/points/velodyne_scan.h>
 #include <traverse/simulation/build.h>
 #include <traverse/simulation/footprints.h>
 #include <traverse/simulation/random.h>
@@ -61,7 +62,7 @@ class SimulatedDrive
     for (const simulation::LidarTurn& turn : turns_)
     {
       const auto pose = track.at(turn.stamp);
-      points::Decoded decoded = decode(turn);
+      points::Decoded decoded = decoded(turn);
       if (pose && points::deskew(decoded.scan, track) != points::Deskew::no_poses)
       {
         f(decoded.scan.view(), pose->T_map_base);
@@ -97,17 +98,6 @@ class SimulatedDrive
         ins_poses_.push_back({pose->stamp, pose->T_map_base});
       }
     }
-  }
-
-  static points::Decoded decode(const simulation::LidarTurn& turn)
-  {
-    const std::vector<sensors::VelodynePacket> views(turn.packets.begin(), turn.packets.end());
-    points::VelodyneInput input;
-    input.packets = views;
-    input.stamp = turn.stamp;
-    input.sensor_label = turn.label;
-    input.T_base_sensor = turn.T_base_sensor;
-    return points::decodeVelodyne(input);
   }
 
   simulation::Scene scene_;

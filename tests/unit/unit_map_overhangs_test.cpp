@@ -71,8 +71,8 @@ TEST(Overhangs, AFreeCellSaysUpToWhichHeight)
   grid.make(DrawnLidar().turn({}).view());
   // At 4 m the beams are 0.09 m apart, the highest with a return (1.6 degrees below the horizon) at
   // 1.79 m; at 19 m they are 0.43 m apart, so that only the lowest counts.
-  EXPECT_EQ(grid.at(4, 0.1).free_to, 35);
-  EXPECT_LE(grid.at(19, 0.1).free_to, 5);
+  EXPECT_EQ(grid.at(4, 0.1).up_to, 35);
+  EXPECT_LE(grid.at(19, 0.1).up_to, 5);
 }
 
 TEST(Overhangs, AnObstacleSaysBetweenWhichHeightsItWasHit)
@@ -85,7 +85,7 @@ TEST(Overhangs, AnObstacleSaysBetweenWhichHeightsItWasHit)
   EXPECT_EQ(grid.stateAt(6.1, 0.1), OccupancyState::obstacle);
   // The ground is known to a step of 5 cm.
   EXPECT_NEAR(grid.at(6.1, 0.1).hit_from, 16, 1);
-  EXPECT_NEAR(grid.at(6.1, 0.1).free_to, 20, 1);
+  EXPECT_NEAR(grid.at(6.1, 0.1).up_to, 20, 1);
 }
 }  // namespace
 }  // namespace traverse

@@ -164,7 +164,7 @@ TEST(UnitMap, ALevelScannerFreesWhatItsBeamsPassAndItsReturnsAreObstacles)
   DrawnUnitMap grid;
   grid.make(scanner.turn(world).view());
   EXPECT_EQ(grid.rowFrom(0, 0.1, 50), std::string(40, '.') + "#         ");
-  EXPECT_EQ(grid.at(4, 0.1).free_to, 4);                      // 0.2 m
+  EXPECT_EQ(grid.at(4, 0.1).up_to, 4);                        // 0.2 m
   EXPECT_EQ(grid.stateAt(-4, 0.1), OccupancyState::unknown);  // no return
 }
 

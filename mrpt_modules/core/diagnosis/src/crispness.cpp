@@ -20,11 +20,6 @@ constexpr size_t kMostPoints = 600;  // of a scan
 constexpr double kSlice_s = 0.005;   // points so near in time share a pose
 constexpr double kDegree = std::numbers::pi / 180;
 
-poses::TimeNs later(poses::TimeNs time, double seconds)
-{
-  return time + static_cast<poses::TimeNs>(std::llround(seconds / poses::kSecondsPerNs));
-}
-
 /** Of a grid that is turned by 3:4 against the map: a wall along an axis, as towns have many, would
  * fill one row of cells or two, by chance. */
 uint64_t cellKey(const Eigen::Vector3d& p)
@@ -63,7 +58,7 @@ class Painter
       if (this_slice != slice)
       {
         slice = this_slice;
-        pose = track_.at(later(scan.stamp, (slice + 0.5) * kSlice_s + time_s_));
+        pose = track_.at(poses::later(scan.stamp, (slice + 0.5) * kSlice_s + time_s_));
       }
       if (pose)
       {

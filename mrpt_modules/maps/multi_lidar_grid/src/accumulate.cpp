@@ -85,7 +85,7 @@ void Accumulator::hit(Cell& cell, const Look& look) const
   cell.passes = 0;
   // What one sensor calls a ditch and another an obstacle is an obstacle.
   const bool stays = cell.state == OccupancyState::obstacle && !is_first;
-  cell.free_to = is_first ? look.cell.free_to : std::max(cell.free_to, look.cell.free_to);
+  cell.up_to = is_first ? look.cell.up_to : std::max(cell.up_to, look.cell.up_to);
   cell.hit_from = is_first ? look.cell.hit_from : std::min(cell.hit_from, look.cell.hit_from);
   become(cell, stays ? OccupancyState::obstacle : look.cell.state, look.sensor_bit);
 }
@@ -139,7 +139,7 @@ void Accumulator::pass(Cell& cell, const Look& look) const
   }
   const bool hangs = look.cell.state == OccupancyState::overhang;
   const bool hung = cell.state == OccupancyState::overhang;
-  cell.free_to = look.cell.free_to;
+  cell.up_to = look.cell.up_to;
   become(cell, hangs || hung ? OccupancyState::overhang : OccupancyState::free, look.sensor_bit);
 }
 
@@ -172,17 +172,12 @@ void Accumulator::add(
       return look.state != OccupancyState::unknown;
     }
     const bool is_free = look.state != OccupancyState::unknown;
-    return (is_free && look.free_to + kSlack >= stored.hit_from) ||
+    return (is_free && look.up_to + kSlack >= stored.hit_from) ||
            mapper.passedBetween(
-               map, cell, stored.hit_from * kFreeStep_m,
-               stored.free_to * kFreeStep_m - kUpperEdge_m);
+               map, cell, stored.hit_from * kFreeStep_m, stored.up_to * kFreeStep_m - kUpperEdge_m);
   };
-  const geometry::CellRect region = cells.region();
-  const geometry::CellRect part = {
-      {std::max(region.min.x, map.touched.min.x), std::max(region.min.y, map.touched.min.y)},
-      {std::min(region.max.x, map.touched.max.x), std::min(region.max.y, map.touched.max.y)}};
   map.cells.forEachRunIn(
-      part,
+      geometry::intersection(cells.region(), map.touched),
       [&](geometry::CellIndex first, std::span<const UnitCell> run)
       {
         Cell* const stored = &cells.at(first);  // both grids wrap at the same columns

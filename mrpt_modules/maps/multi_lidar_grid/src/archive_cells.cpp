@@ -10,7 +10,7 @@ constexpr size_t kCellBytes = 4 + 4 + 8 + 8;
 
 bool isEmptyCell(const Cell& c)
 {
-  return c.state == layers::OccupancyState::unknown && c.passes == 0 && c.free_to == 0 &&
+  return c.state == layers::OccupancyState::unknown && c.passes == 0 && c.up_to == 0 &&
          c.hit_from == 0 && c.belief == 0 && c.seen_by == 0 && c.last_hit == 0 && c.last_seen == 0;
 }
 
@@ -26,7 +26,7 @@ void writeCell(formats::ByteWriter& out, const Cell& cell)
 {
   out.u8(static_cast<uint8_t>(cell.state));
   out.u8(cell.passes);
-  out.u8(cell.free_to);
+  out.u8(cell.up_to);
   out.u8(cell.hit_from);
   out.u8(static_cast<uint8_t>(cell.belief));
   out.u32(cell.seen_by);
@@ -44,7 +44,7 @@ Cell readCell(formats::ByteReader& in, uint32_t known_sensors)
   }
   cell.state = static_cast<layers::OccupancyState>(state);
   cell.passes = in.u8();
-  cell.free_to = in.u8();
+  cell.up_to = in.u8();
   cell.hit_from = in.u8();
   cell.belief = static_cast<int8_t>(in.u8());
   cell.seen_by = in.u32();

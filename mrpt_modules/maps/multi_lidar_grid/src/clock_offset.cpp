@@ -60,11 +60,6 @@ std::vector<uint8_t> nearness(const std::vector<Eigen::Vector3d>& points)
   return grid;
 }
 
-poses::TimeNs later(poses::TimeNs stamp, int step)
-{
-  return stamp + static_cast<poses::TimeNs>(std::llround(step * ClockOffset::kStep_s * 1e9));
-}
-
 std::vector<Eigen::Vector3d> upright(const points::Scan& scan, double low_m, double high_m)
 {
   std::vector<Eigen::Vector3d> kept;
@@ -153,8 +148,9 @@ void ClockOffset::compare(const Key& earlier, const Key& later_key, const poses:
   std::array<double, kOffsets> found{};
   for (int i = 0; i < kOffsets; ++i)
   {
-    const auto first = track.at(later(earlier.stamp, i - kSteps));
-    const auto second = track.at(later(later_key.stamp, i - kSteps));
+    const double offset_s = (i - kSteps) * kStep_s;
+    const auto first = track.at(poses::later(earlier.stamp, offset_s));
+    const auto second = track.at(poses::later(later_key.stamp, offset_s));
     if (!first || !second)
     {
       return;

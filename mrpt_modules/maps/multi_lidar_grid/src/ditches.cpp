@@ -196,7 +196,7 @@ void FanTrace::markNegative(const GroundRay& ray, float from_m, float to_m)
     if (is_free || cell.state == OccupancyState::unknown)
     {
       cell.state = OccupancyState::negative;
-      cell.free_to = 0;
+      cell.up_to = 0;
     }
   } while (walk.next());
 }

@@ -119,9 +119,9 @@ void explainCell(const State& state, const Params& params, const Cell& cell, Fac
   {
     facts.push_back({"last hit", secondsAgo(state.now, cell.last_hit)});
   }
-  if (cell.free_to > 0)
+  if (cell.up_to > 0)
   {
-    facts.push_back({"known free up to", metres(cell.free_to * kFreeStep_m) + " over the ground"});
+    facts.push_back({"known free up to", metres(cell.up_to * kFreeStep_m) + " over the ground"});
   }
 }
 

@@ -172,6 +172,6 @@ void FanTrace::free(const GroundRay::Place& place, float along_m, float ground_m
   }
   const float high_m = std::clamp(top_m - ground_m, 0.0F, scene_.rules.robot_m());
   const auto steps = static_cast<int32_t>(high_m / static_cast<float>(kFreeStep_m) + 0.01F);
-  cell.free_to = static_cast<uint8_t>(std::max<int32_t>(cell.free_to, std::min(steps, 255)));
+  cell.up_to = static_cast<uint8_t>(std::max<int32_t>(cell.up_to, std::min(steps, 255)));
 }
 }  // namespace traverse::multi_lidar_grid

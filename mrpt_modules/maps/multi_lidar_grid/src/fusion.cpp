@@ -11,7 +11,8 @@ namespace
 {
 void add(const UnitMap& unit, uint32_t bit, LatestMap& map)
 {
-  const geometry::CellRect known = common(common(map.extent, unit.touched), unit.cells.region());
+  const geometry::CellRect known =
+      geometry::intersection(geometry::intersection(map.extent, unit.touched), unit.cells.region());
   const auto width = static_cast<size_t>(map.extent.width());
   unit.cells.forEachIn(
       known,
@@ -29,14 +30,6 @@ void add(const UnitMap& unit, uint32_t bit, LatestMap& map)
       });
 }
 }  // namespace
-
-geometry::CellRect common(const geometry::CellRect& a, const geometry::CellRect& b)
-{
-  const geometry::CellRect both{
-      {std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-      {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
-  return both.max.x > both.min.x && both.max.y > both.min.y ? both : geometry::CellRect{};
-}
 
 LatestMap fuseLatest(const State& state, const Params& params, const geometry::CellRect& window)
 {

@@ -70,7 +70,7 @@ struct Accumulated
     ground[i] = static_cast<float>(ground_m);
     if (is_free || cell.state == OccupancyState::overhang)
     {
-      free[i] = static_cast<float>(cell.free_to * kFreeStep_m);
+      free[i] = static_cast<float>(cell.up_to * kFreeStep_m);
     }
     if (cell.state != OccupancyState::unknown)
     {
@@ -110,7 +110,7 @@ std::vector<uint8_t> bufferIn(
   const BufferParams buffer{
       state.lattice.cell_m(), hardBuffer_m(params, vehicle), params.soft_buffer_m, params.strip};
   const double reach_cells = (buffer.hard_m + buffer.soft_m) / buffer.cell_size_m;
-  const geometry::CellRect around = common(
+  const geometry::CellRect around = geometry::intersection(
       grown(window, static_cast<int32_t>(std::ceil(reach_cells)) + kNeighbours),
       state.cells.region());
   if (around.empty())
@@ -123,7 +123,7 @@ std::vector<uint8_t> bufferIn(
       around, [&](geometry::CellIndex, const Cell& cell)
       { states.push_back(static_cast<uint8_t>(cell.state)); });
   const std::vector<uint8_t> found = safetyBuffer(states, around.width(), buffer);
-  const geometry::CellRect shown = common(window, around);
+  const geometry::CellRect shown = geometry::intersection(window, around);
   for (geometry::CellIndex c = shown.min; c.y < shown.max.y; ++c.y)
   {
     for (c.x = shown.min.x; c.x < shown.max.x; ++c.x)
@@ -158,7 +158,8 @@ layers::LayerSet layerSet(
 
   Accumulated all(static_cast<size_t>(size));
   state.cells.forEachIn(
-      common(set.extent, state.cells.region()), [&](geometry::CellIndex c, const Cell& cell)
+      geometry::intersection(set.extent, state.cells.region()),
+      [&](geometry::CellIndex c, const Cell& cell)
       { all.put(placeIn(set.extent, c), cell, state.mapper.groundAt(c), state.now); });
   LatestMap latest = fuseLatest(state, params, set.extent);
   std::vector<uint8_t> zones = bufferIn(state, params, vehicle, set.extent);

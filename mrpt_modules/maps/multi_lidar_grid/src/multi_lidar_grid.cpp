@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "division.h"
+
 #include <traverse/multi_lidar_grid/accumulate.h>
 #include <traverse/multi_lidar_grid/multi_lidar_grid.h>
 
@@ -11,22 +13,6 @@ namespace traverse::multi_lidar_grid
 {
 namespace
 {
-geometry::Lattice latticeOf(const Params& params)
-{
-  return {static_cast<int32_t>(geometry::toMillimetres(params.cell_size_m))};
-}
-
-int32_t regionEdge(const Params& params)
-{
-  return std::max(1, static_cast<int32_t>(std::lround(params.window_m / params.cell_size_m)));
-}
-
-/** The sensor's stamp in the poses' time. */
-poses::TimeNs corrected(poses::TimeNs stamp, double offset_s)
-{
-  return stamp + static_cast<poses::TimeNs>(std::llround(offset_s * 1e9));
-}
-
 void tuneClock(
     Sensor& sensor,
     const points::Scan& scan,
@@ -105,7 +91,7 @@ layers::UpdateStats update(
   tuneClock(sensor, scan, track, params, vehicle);
 
   // The vehicle's pose at the cloud's own time, whatever other sensors do.
-  const poses::TimeNs stamp = corrected(scan.stamp, sensor.clock_offset_s);
+  const poses::TimeNs stamp = poses::later(scan.stamp, sensor.clock_offset_s);
   const std::optional<SensorPath> path = SensorPath::along(scan, stamp, track);
   stats.no_pose = !path || !isOnLattice(state, path->pose());
   if (stats.no_pose ||

@@ -25,18 +25,11 @@ int32_t directionOf(float turn)
   return static_cast<int32_t>(std::floor(turn * static_cast<float>(kDirections)));
 }
 
-CellRect common(const CellRect& a, const CellRect& b)
-{
-  return {
-      {std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-      {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
-}
-
 /** The square around a circle of so many cells, within the region. */
 CellRect around(CellIndex middle, double reach_cells, const CellRect& region)
 {
   const auto reach = static_cast<int32_t>(std::min(reach_cells, 1e6)) + 1;
-  return common(
+  return geometry::intersection(
       {{middle.x - reach, middle.y - reach}, {middle.x + reach + 1, middle.y + reach + 1}}, region);
 }
 
@@ -103,7 +96,7 @@ void PaperLidar::block(int32_t dx, int32_t dy)
   }
 }
 
-CellRect PaperLidar::trace(const BeamFrame& frame, CellIndex stand, uint8_t free_to, UnitMap& map)
+CellRect PaperLidar::trace(const BeamFrame& frame, CellIndex stand, uint8_t up_to, UnitMap& map)
 {
   const CellRect& region = map.cells.region();
   layOut(region.width());
@@ -114,7 +107,7 @@ CellRect PaperLidar::trace(const BeamFrame& frame, CellIndex stand, uint8_t free
   const double reach_cells = std::sqrt(frame.range2_m2) / frame.cell_mm * 1000;
   const CellRect part = around(stand, reach_cells, region);
   map.cells.forEachRunIn(
-      common(part, map.touched),
+      geometry::intersection(part, map.touched),
       [&](CellIndex first, std::span<UnitCell> run)
       {
         for (size_t i = 0; i < run.size(); ++i)
@@ -146,7 +139,7 @@ CellRect PaperLidar::trace(const BeamFrame& frame, CellIndex stand, uint8_t free
               (!frame.has_view || inView(frame, dx, dy)))
           {
             cell.state = OccupancyState::free;
-            cell.free_to = free_to;
+            cell.up_to = up_to;
           }
         }
       });

@@ -20,7 +20,7 @@ class PaperLidar
   /** Frees the cells that a ray reaches and nothing is known of, and returns the rectangle looked
    * at. `stand`: the lidar's cell; obstacles come from the map. */
   geometry::CellRect trace(
-      const BeamFrame& frame, geometry::CellIndex stand, uint8_t free_to, UnitMap& map);
+      const BeamFrame& frame, geometry::CellIndex stand, uint8_t up_to, UnitMap& map);
 
  private:
   void layOut(int32_t edge);

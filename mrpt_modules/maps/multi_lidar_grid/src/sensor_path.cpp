@@ -36,11 +36,6 @@ TimeSpan spanOf(std::span<const float> time_s)
   }
   return span;
 }
-
-poses::TimeNs later(poses::TimeNs stamp, double seconds)
-{
-  return stamp + static_cast<poses::TimeNs>(std::llround(seconds / poses::kSecondsPerNs));
-}
 }  // namespace
 
 std::optional<SensorPath> SensorPath::along(
@@ -68,7 +63,7 @@ std::optional<SensorPath> SensorPath::along(
   for (size_t i = 0; i < kOrigins; ++i)
   {
     const double time_s = path.first_s_ + path.step_s_ * static_cast<double>(i);
-    const auto pose = track.at(later(stamp, time_s));
+    const auto pose = track.at(poses::later(stamp, time_s));
     if (pose && pose->segment == at_stamp->segment)
     {
       path.origins_[i] = pose->T_map_base * p_base;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "division.h"
 #include "fan_trace.h"
 #include "mapper_work.h"
 #include "silent_beams.h"
@@ -19,16 +20,6 @@ using geometry::CellRect;
 using layers::OccupancyState;
 
 constexpr double kMm = geometry::kMillimetresPerMetre;
-
-geometry::Lattice latticeOf(const Params& params)
-{
-  return {static_cast<int32_t>(geometry::toMillimetres(params.cell_size_m))};
-}
-
-int32_t edgeOf(const Params& params)
-{
-  return std::max(1, static_cast<int32_t>(std::lround(params.window_m / params.cell_size_m)));
-}
 
 OccupancyState stateOf(Returns returns)
 {
@@ -56,7 +47,7 @@ uint8_t heightSteps(const Column& column, int32_t height_mm)
 void setHits(const Column& column, Returns returns, UnitCell& cell)
 {
   const bool is_obstacle = cell.state == OccupancyState::obstacle;
-  cell.free_to = is_obstacle ? heightSteps(column, column.hits_to) : uint8_t{0};
+  cell.up_to = is_obstacle ? heightSteps(column, column.hits_to) : uint8_t{0};
   const uint8_t hangs = returns == Returns::hanging ? kHangs : 0;
   cell.hit_from = is_obstacle ? heightSteps(column, column.above) : hangs;
 }
@@ -70,7 +61,7 @@ CellRect around(CellIndex a)
 UnitMapper::Work::Work(const Params& params, const geometry::Vehicle& vehicle) :
     rules(params, vehicle),
     lattice(latticeOf(params)),
-    ground(latticeOf(params), edgeOf(params), vehicle)
+    ground(latticeOf(params), regionEdge(params), vehicle)
 {
 }
 

@@ -194,7 +194,7 @@ void clearYoung(
       [&](const auto& entry)
       {
         const auto& [tile, when] = entry;
-        const bool is_gone = Cells::intersection(rectOf(tile), kept).empty();
+        const bool is_gone = geometry::intersection(rectOf(tile), kept).empty();
         return is_gone && memory.next.erase({when, tile}) > 0;
       });
 }

@@ -27,7 +27,7 @@ geometry::CellRect acceptedOf(
     const geometry::CellRect& neighbourhood, const State& state, const Params& params)
 {
   return params.extent == Extent::fixed
-             ? Cells::intersection(neighbourhood, fixedRect(state.lattice, params))
+             ? geometry::intersection(neighbourhood, fixedRect(state.lattice, params))
              : neighbourhood;
 }
 

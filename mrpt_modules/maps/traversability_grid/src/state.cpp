@@ -217,7 +217,7 @@ void moveWindow(State& state, const geometry::CellRect& window)
     return;
   }
   state.driven.keep(window, state.lattice);
-  const geometry::CellRect kept = Cells::intersection(*old, window);
+  const geometry::CellRect kept = geometry::intersection(*old, window);
   if (kept.empty())
   {
     dropCells(state);

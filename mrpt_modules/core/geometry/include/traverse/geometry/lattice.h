@@ -63,6 +63,16 @@ struct CellRect
   friend bool operator==(const CellRect&, const CellRect&) = default;
 };
 
+/** The cells of both; CellRect{} where there are none. */
+inline CellRect intersection(const CellRect& a, const CellRect& b)
+{
+  const CellRect both = {
+      {a.min.x > b.min.x ? a.min.x : b.min.x, a.min.y > b.min.y ? a.min.y : b.min.y},
+      {a.max.x < b.max.x ? a.max.x : b.max.x, a.max.y < b.max.y ? a.max.y : b.max.y}};
+  const bool is_empty = both.max.x <= both.min.x || both.max.y <= both.min.y;
+  return is_empty ? CellRect{} : both;
+}
+
 /** The smallest rectangle around both; an empty one adds nothing. */
 inline CellRect bounding(const CellRect& a, const CellRect& b)
 {

@@ -84,7 +84,7 @@ class TileGrid
   {
     for (const uint32_t tile : tilesIn(window))
     {
-      const geometry::CellRect part = intersection(rectOf(tiles_[tile].position), window);
+      const geometry::CellRect part = geometry::intersection(rectOf(tiles_[tile].position), window);
       for (int32_t y = part.min.y; y < part.max.y; ++y)
       {
         for (int32_t x = part.min.x; x < part.max.x; ++x)
@@ -114,7 +114,7 @@ class TileGrid
     for (const uint32_t number : tilesIn(window))
     {
       Tile& tile = tiles_[number];
-      if (intersection(rectOf(tile.position), kept).empty())
+      if (geometry::intersection(rectOf(tile.position), kept).empty())
       {
         directory_.erase(tile.position);
         tile.cells.fill(Cell{});
@@ -127,13 +127,6 @@ class TileGrid
   void clear() { *this = TileGrid(); }
 
   size_t tiles() const { return directory_.size(); }
-
-  static geometry::CellRect intersection(const geometry::CellRect& a, const geometry::CellRect& b)
-  {
-    return {
-        {std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-        {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
-  }
 
  private:
   static constexpr int32_t kShift = 5;
@@ -243,8 +236,8 @@ class TileGrid
     {
       numbers = sorted();
       std::erase_if(
-          numbers,
-          [&](uint32_t n) { return intersection(rectOf(tiles_[n].position), window).empty(); });
+          numbers, [&](uint32_t n)
+          { return geometry::intersection(rectOf(tiles_[n].position), window).empty(); });
       return numbers;
     }
     for (int32_t y = first.y; y <= last.y; ++y)

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,6 +20,12 @@ inline constexpr double kSecondsPerNs = 1e-9;
 inline double secondsBetween(TimeNs from, TimeNs to)
 {
   return static_cast<double>(to - from) * kSecondsPerNs;
+}
+
+/** So many seconds after a time, to the nearest nanosecond. */
+inline TimeNs later(TimeNs time, double seconds)
+{
+  return time + static_cast<TimeNs>(std::llround(seconds / kSecondsPerNs));
 }
 
 /** T_map_base at a time: takes points of the vehicle frame to the map. */

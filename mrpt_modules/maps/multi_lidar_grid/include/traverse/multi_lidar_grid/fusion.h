@@ -23,7 +23,4 @@ struct LatestMap
 /** Fuses the latest unit map of each sensor whose health counts() at state.now, by
  * stronger(). Cells outside the map are unknown. */
 LatestMap fuseLatest(const State& state, const Params& params, const geometry::CellRect& window);
-
-/** The cells of both; an empty rectangle where there are none. */
-geometry::CellRect common(const geometry::CellRect& a, const geometry::CellRect& b);
 }  // namespace traverse::multi_lidar_grid

@@ -23,7 +23,7 @@ struct Cell
 
   /** In steps of kFreeStep_m over the ground: free cells: known free up to here; obstacles: hit up
    * to here. */
-  uint8_t free_to = 0;
+  uint8_t up_to = 0;
   uint8_t hit_from = 0;  //!< obstacles: hit from here on, in the same steps
 
   /** accumulation = log_odds: the log-odds of an obstacle, in steps of kLogOddsStep; = sweeps: the

@@ -20,7 +20,7 @@ struct UnitCell
   uint8_t returns = 0;  //!< in it, those above the vehicle's height left out; 255: or more
   /** In steps of kFreeStep_m over the ground: free cells: beams passed up to here; obstacles: hit
    * up to here. */
-  uint8_t free_to = 0;
+  uint8_t up_to = 0;
   uint8_t hit_from = 0;  //!< obstacles: hit from here on, in the same steps
 };
 
@@ -62,7 +62,7 @@ class UnitMapper
   /** Makes the unit map of a cloud, around `centre`. Bad points are skipped and counted.
    *
    * A 2-D scanner's beams pass at one height: they free the cells they pass, up to that height
-   * (free_to), and what they meet is an obstacle if it stands higher than half of it. */
+   * (up_to), and what they meet is an obstacle if it stands higher than half of it. */
   Counts make(
       const Cloud& cloud, const SensorParams& sensor, geometry::CellIndex centre, UnitMap& map);
 
