@@ -15,6 +15,7 @@ using namespace traverse;
 using namespace traverse::testing;
 using namespace traverse::multi_lidar_grid;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string textOf(const Map& map, geometry::CellIndex cell)
 {
@@ -32,12 +33,17 @@ TEST(MultiLidarWhy, SaysStateSensorsAndAges)
   addCloud(map, "left", {".#"});
   addCloud(map, "right\n", {"  "}, 100);
   accumulate(map, {".#"}, 3);
-  map.state.cells.at({1, 0}).passes = 2;
+  Cell& obstacle = map.state.cells.at({1, 0});
+  obstacle.passes = 2;
+  obstacle.hit_from = 8;
+  obstacle.up_to = 20;
   const std::string text = textOf(map, {1, 0});
   EXPECT_THAT(text, HasSubstr("state: obstacle\n"));
   EXPECT_THAT(text, HasSubstr("the last 2 contradicted it; 3 clear"));
   EXPECT_THAT(text, HasSubstr("seen by: left, right"));
   EXPECT_THAT(text, HasSubstr("last hit: 2 s ago"));
+  EXPECT_THAT(text, HasSubstr("hit from: 0.4 m to 1 m over the ground"));
+  EXPECT_THAT(text, Not(HasSubstr("known free")));
   EXPECT_THAT(text, HasSubstr("safety_buffer: hard"));
   EXPECT_THAT(text, HasSubstr("sensor left: ok, newest cloud 0 s ago: obstacle"));
   EXPECT_THAT(text, HasSubstr("dead, newest cloud 100 s ago, which no longer counts"));

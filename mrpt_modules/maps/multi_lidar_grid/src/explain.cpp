@@ -119,9 +119,14 @@ void explainCell(const State& state, const Params& params, const Cell& cell, Fac
   {
     facts.push_back({"last hit", secondsAgo(state.now, cell.last_hit)});
   }
-  if (cell.up_to > 0)
+  const std::string height = metres(cell.up_to * kFreeStep_m) + " over the ground";
+  if (cell.state == OccupancyState::obstacle)
   {
-    facts.push_back({"known free up to", metres(cell.up_to * kFreeStep_m) + " over the ground"});
+    facts.push_back({"hit from", metres(cell.hit_from * kFreeStep_m) + " to " + height});
+  }
+  else if (cell.up_to > 0)
+  {
+    facts.push_back({"known free up to", height});
   }
 }
 
