@@ -37,6 +37,21 @@ Grid randomGrid(int32_t columns, int32_t rows, double share, uint32_t seed)
 
 using Nearest = std::tuple<int32_t, int32_t, int32_t>;  // squared, dx, dy; the least is the nearest
 
+Nearest slowAt(const Grid& grid, int32_t x, int32_t y)
+{
+  Nearest best = {NearestRow::kNone, 0, 0};
+  for (int32_t at = 0; at < grid.columns * grid.rows; ++at)
+  {
+    const int32_t dx = at % grid.columns - x;
+    const int32_t dy = at / grid.columns - y;
+    if (grid.cells[static_cast<size_t>(at)] != 0)
+    {
+      best = std::min(best, Nearest{dx * dx + dy * dy, dx, dy});
+    }
+  }
+  return best;
+}
+
 std::vector<Nearest> slow(const Grid& grid)
 {
   std::vector<Nearest> all;
@@ -44,18 +59,7 @@ std::vector<Nearest> slow(const Grid& grid)
   {
     for (int32_t x = 0; x < grid.columns; ++x)
     {
-      Nearest best = {NearestRow::kNone, 0, 0};
-      for (int32_t at = 0; at < grid.columns * grid.rows; ++at)
-      {
-        const int32_t dx = at % grid.columns - x;
-        const int32_t dy = at / grid.columns - y;
-        const int32_t squared = dx * dx + dy * dy;
-        if (grid.cells[static_cast<size_t>(at)] != 0)
-        {
-          best = std::min(best, Nearest{squared, dx, dy});
-        }
-      }
-      all.push_back(best);
+      all.push_back(slowAt(grid, x, y));
     }
   }
   return all;

@@ -110,24 +110,30 @@ TEST(PaperTrace, NoRaySlipsBetweenDiagonalCells)
   EXPECT_EQ(inside, 0);
 }
 
+/** A line of cells, 8-connected, 10 m off, so thin as a line can be drawn. */
+points::ScanBuffer wallAcross(const geometry::SinCos& v)
+{
+  points::ScanBuffer scan;
+  scan.T_base_sensor.translation() = Eigen::Vector3d(0.1, 0.1, 1.9);
+  const bool is_flat = std::abs(v.sin) > std::abs(v.cos);
+  for (int i = -140; i <= 140; ++i)
+  {
+    const double other = is_flat ? (50 - i * v.cos) / v.sin : (50 - i * v.sin) / v.cos;
+    const int j = static_cast<int>(std::lround(other));
+    if (std::abs(j) < 145)
+    {
+      stand(is_flat ? i : j, is_flat ? j : i, scan);
+    }
+  }
+  return scan;
+}
+
 TEST(PaperTrace, AWallOfAnyDirectionHidesWhatIsBehind)
 {
   for (int step = 0; step < 72; ++step)
   {
     const geometry::SinCos v = geometry::sinCosOf(step * geometry::kPi / 36);
-    points::ScanBuffer scan;
-    scan.T_base_sensor.translation() = Eigen::Vector3d(0.1, 0.1, 1.9);
-    // A line of cells, 8-connected, 10 m off, so thin as a line can be drawn.
-    const bool is_flat = std::abs(v.sin) > std::abs(v.cos);
-    for (int i = -140; i <= 140; ++i)
-    {
-      const double other = is_flat ? (50 - i * v.cos) / v.sin : (50 - i * v.sin) / v.cos;
-      const int j = static_cast<int>(std::lround(other));
-      if (std::abs(j) < 145)
-      {
-        stand(is_flat ? i : j, is_flat ? j : i, scan);
-      }
-    }
+    const points::ScanBuffer scan = wallAcross(v);
     DrawnUnitMap grid = paperGrid();
     grid.make(scan.view());
     int behind = 0;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace traverse::testing
@@ -93,6 +94,11 @@ struct Corridor
   }
 };
 
+inline const std::vector<std::pair<int32_t, int32_t>> kSideSteps = {
+    {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+inline const std::vector<std::pair<int32_t, int32_t>> kAllSteps = {
+    {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+
 /** Parts of a grid in which one can go from cell to cell. */
 class Reach
 {
@@ -117,18 +123,12 @@ class Reach
       open.pop_back();
       const auto x = static_cast<int32_t>(cell % static_cast<size_t>(edge));
       const auto y = static_cast<int32_t>(cell / static_cast<size_t>(edge));
-      for (int32_t dy = -1; dy <= 1; ++dy)
+      for (const auto& [dx, dy] : neighbours == 8 ? kAllSteps : kSideSteps)
       {
-        for (int32_t dx = -1; dx <= 1; ++dx)
+        if (x + dx >= 0 && x + dx < edge && y + dy >= 0 && y + dy < edge)
         {
-          const bool is_side = std::abs(dx) + std::abs(dy) == 1;
-          if ((neighbours == 8 || is_side) && x + dx >= 0 && x + dx < edge && y + dy >= 0 &&
-              y + dy < edge)
-          {
-            visit(
-                static_cast<size_t>(y + dy) * static_cast<size_t>(edge) +
-                static_cast<size_t>(x + dx));
-          }
+          const int32_t next = (y + dy) * edge + x + dx;
+          visit(static_cast<size_t>(next));
         }
       }
     }

@@ -62,10 +62,10 @@ class SimulatedDrive
     for (const simulation::LidarTurn& turn : turns_)
     {
       const auto pose = track.at(turn.stamp);
-      points::Decoded decoded = decoded(turn);
-      if (pose && points::deskew(decoded.scan, track) != points::Deskew::no_poses)
+      points::Decoded seen = decoded(turn);
+      if (pose && points::deskew(seen.scan, track) != points::Deskew::no_poses)
       {
-        f(decoded.scan.view(), pose->T_map_base);
+        f(seen.scan.view(), pose->T_map_base);
       }
     }
   }

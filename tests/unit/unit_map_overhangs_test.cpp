@@ -15,10 +15,10 @@ namespace
 {
 struct Case
 {
-  const char* what;
+  const char* what = nullptr;
   DrawnWorld::Box box;
-  bool stops_low;   //!< a vehicle of 1.6 m
-  bool stops_high;  //!< one of 2.5 m
+  bool stops_low = false;   //!< a vehicle of 1.6 m
+  bool stops_high = false;  //!< one of 2.5 m
 };
 
 const Case kCases[] = {

@@ -118,7 +118,7 @@ void CWrappableMultiLidarGrid::drawPoints(mrpt::opengl::CSetOfObjects& scene) co
   for (const multi_lidar_grid::Sensor& sensor : state_.sensors.all())
   {
     const auto found = latest_points_.find(sensor.label);
-    const mrpt::img::TColor shown = kPointColours[colour++ % kPointColours.size()];
+    const mrpt::img::TColor& shown = kPointColours[colour++ % kPointColours.size()];
     if (found == latest_points_.end() ||
         !multi_lidar_grid::counts(multi_lidar_grid::healthOf(sensor, state_.now, made_with_)))
     {

@@ -52,7 +52,8 @@ std::vector<uint8_t> nearness(const std::vector<Eigen::Vector3d>& points)
     {
       if (cell)
       {
-        uint8_t& value = grid[static_cast<size_t>(*cell + step)];
+        const int32_t at = *cell + step;
+        uint8_t& value = grid[static_cast<size_t>(at)];
         value = std::max(value, near);
       }
     }

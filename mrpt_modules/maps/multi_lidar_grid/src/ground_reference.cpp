@@ -225,8 +225,9 @@ const LocalGround& GroundReference::local(const CellRect& region, const Stand& s
     for (int32_t cell = min; cell < max; ++cell)
     {
       const auto patch = static_cast<int32_t>(floorDiv(cell, patch_cells_));
+      const int32_t planes_before = (patch - first_patch) * step;
       all.push_back(
-          {(patch - first_patch) * step,
+          {static_cast<size_t>(planes_before),
            static_cast<float>(lattice_.centre_m(cell) - middle_m(patch))});
     }
   };

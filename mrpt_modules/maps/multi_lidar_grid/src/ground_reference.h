@@ -41,16 +41,16 @@ class LocalGround
   {
     const Along& x = along_x_[static_cast<size_t>(column)];
     const Along& y = along_y_[static_cast<size_t>(row)];
-    const GroundPlane<float>& plane = planes_[static_cast<size_t>(y.patch + x.patch)];
+    const GroundPlane<float>& plane = planes_[y.patch + x.patch];
     return plane.z_m + plane.slope_x * x.offset_m + plane.slope_y * y.offset_m;
   }
 
   /** Up per along in a direction. */
   float slopeAt(int32_t column, int32_t row, const Direction& to) const
   {
-    const auto i = static_cast<size_t>(
-        along_y_[static_cast<size_t>(row)].patch + along_x_[static_cast<size_t>(column)].patch);
-    return planes_[i].slope_x * to.x + planes_[i].slope_y * to.y;
+    const size_t patch =
+        along_y_[static_cast<size_t>(row)].patch + along_x_[static_cast<size_t>(column)].patch;
+    return planes_[patch].slope_x * to.x + planes_[patch].slope_y * to.y;
   }
 
  private:
@@ -58,7 +58,7 @@ class LocalGround
 
   struct Along
   {
-    int32_t patch = 0;  //!< in y times the planes of a row
+    size_t patch = 0;  //!< in y times the planes of a row
     float offset_m = 0;
   };
 
