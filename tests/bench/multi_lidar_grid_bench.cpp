@@ -7,8 +7,8 @@
 #include "buffer_by_opencv.h"
 #include "nuscenes_clouds.h"
 
+#include <traverse/layers/safety_buffer.h>
 #include <traverse/multi_lidar_grid/multi_lidar_grid.h>
-#include <traverse/multi_lidar_grid/safety_buffer.h>
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/maps/COccupancyGridMap3D.h>
@@ -133,12 +133,12 @@ const std::vector<uint8_t>& states()
   return kStates;
 }
 
-void buffers(benchmark::State& bench, StripRule strip)
+void buffers(benchmark::State& bench, layers::StripRule strip)
 {
   const std::vector<uint8_t>& cells = states();
   for ([[maybe_unused]] auto _ : bench)
   {
-    benchmark::DoNotOptimize(safetyBuffer(cells, 750, {.strip = strip}));
+    benchmark::DoNotOptimize(layers::safetyBuffer(cells, 750, {.strip = strip}));
   }
 }
 
@@ -147,7 +147,8 @@ void peerOpenCvBuffer(benchmark::State& bench)
 {
   const std::vector<uint8_t>& cells = states();
   const bench::OpenCvBuffer peer = bench::bufferByOpenCv(cells, 750);
-  const std::vector<uint8_t> mine = safetyBuffer(cells, 750, {.strip = StripRule::paper});
+  const std::vector<uint8_t> mine =
+      layers::safetyBuffer(cells, 750, {.strip = layers::StripRule::paper});
   size_t others = 0;
   size_t strip = 0;
   for (size_t i = 0; i < mine.size(); ++i)
@@ -256,10 +257,10 @@ BENCHMARK_CAPTURE(unitMaps, default, Params{})->Name("ours")->Unit(benchmark::kM
 BENCHMARK_CAPTURE(unitMaps, paper, paper())->Name("oursPaper")->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursUpdate)->Unit(benchmark::kMicrosecond);
 BENCHMARK(oursMove)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(buffers, default, StripRule::standard)
+BENCHMARK_CAPTURE(buffers, default, layers::StripRule::standard)
     ->Name("oursBuffer")
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(buffers, paper, StripRule::paper)
+BENCHMARK_CAPTURE(buffers, paper, layers::StripRule::paper)
     ->Name("oursBufferPaper")
     ->Unit(benchmark::kMicrosecond);
 #ifdef TRAVERSE_BENCH_OPENCV

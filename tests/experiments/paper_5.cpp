@@ -139,10 +139,10 @@ class Run
 
 /** Corridors in every direction that is a multiple of 5 degrees, as wide as the buffers' soft parts
  * meet in; how many have a strip through them, at most a cell off their middle. */
-nlohmann::json corridors(uint64_t seed, multi_lidar_grid::StripRule rule)
+nlohmann::json corridors(uint64_t seed, layers::StripRule rule)
 {
   constexpr int kDirections = 36;
-  multi_lidar_grid::BufferParams params;
+  layers::BufferParams params;
   params.strip = rule;
   const double least_m = 2 * params.hard_m + 3 * params.cell_size_m;
   const double most_m = 2 * (params.hard_m + params.soft_m) - params.cell_size_m;
@@ -167,8 +167,8 @@ nlohmann::json corridors(uint64_t seed, multi_lidar_grid::StripRule rule)
 nlohmann::json run(uint64_t seed)
 {
   nlohmann::json result = Run(seed).result();
-  result["map"]["corridors"] = corridors(seed, multi_lidar_grid::StripRule::standard);
-  result["paper_map"]["corridors"] = corridors(seed, multi_lidar_grid::StripRule::paper);
+  result["map"]["corridors"] = corridors(seed, layers::StripRule::standard);
+  result["paper_map"]["corridors"] = corridors(seed, layers::StripRule::paper);
   return result;
 }
 

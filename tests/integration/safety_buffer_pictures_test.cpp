@@ -15,7 +15,7 @@ namespace
 {
 using namespace traverse;
 using namespace traverse::testing;
-using multi_lidar_grid::StripRule;
+using layers::StripRule;
 
 constexpr int32_t kEdge = 240;
 

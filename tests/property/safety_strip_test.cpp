@@ -16,8 +16,8 @@ namespace
 {
 using namespace traverse;
 using namespace traverse::testing;
-using multi_lidar_grid::BufferParams;
-using multi_lidar_grid::StripRule;
+using layers::BufferParams;
+using layers::StripRule;
 
 constexpr int32_t kEdge = 180;
 constexpr Place kMiddle = {90.3, 89.8};

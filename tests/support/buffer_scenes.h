@@ -4,7 +4,7 @@
 
 #include <traverse/geometry/exact_trig.h>
 #include <traverse/layers/occupancy_state.h>
-#include <traverse/multi_lidar_grid/safety_buffer.h>
+#include <traverse/layers/safety_buffer.h>
 
 #include <cmath>
 #include <cstdint>
@@ -59,9 +59,9 @@ class BufferScene
     }
   }
 
-  std::vector<uint8_t> buffer(const multi_lidar_grid::BufferParams& params) const
+  std::vector<uint8_t> buffer(const layers::BufferParams& params) const
   {
-    return multi_lidar_grid::safetyBuffer(states_, edge_, params);
+    return layers::safetyBuffer(states_, edge_, params);
   }
 
  private:

@@ -4,7 +4,7 @@
 
 #include <traverse/geometry/exact_trig.h>
 #include <traverse/layers/occupancy_state.h>
-#include <traverse/multi_lidar_grid/safety_buffer.h>
+#include <traverse/layers/safety_buffer.h>
 
 #include <cmath>
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Corridor
 class CorridorCheck
 {
  public:
-  CorridorCheck(const Corridor& corridor, const multi_lidar_grid::BufferParams& params) :
+  CorridorCheck(const Corridor& corridor, const layers::BufferParams& params) :
       corridor_(corridor), cell_m_(params.cell_size_m)
   {
     const auto [s, c] = geometry::sinCosOf(corridor.yaw_deg * geometry::kPi / 180);
@@ -44,7 +44,7 @@ class CorridorCheck
             wall ? layers::OccupancyState::obstacle : layers::OccupancyState::free));
       }
     }
-    zones_ = multi_lidar_grid::safetyBuffer(states, kEdge, params);
+    zones_ = layers::safetyBuffer(states, kEdge, params);
   }
 
   /** Whether cells that may be planned through connect the ends, within the walls. */

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <traverse/multi_lidar_grid/safety_buffer.h>
+#include <traverse/layers/safety_buffer.h>
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,8 @@
 
 namespace
 {
-using namespace traverse::multi_lidar_grid;
+using namespace traverse;
+using namespace traverse::layers;
 
 /** ' ' unknown, '.' free, '#' obstacle, 'v' negative, '~' overhang; as codes. */
 std::vector<uint8_t> states(const std::vector<std::string>& picture)

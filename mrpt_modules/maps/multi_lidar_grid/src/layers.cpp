@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/layers/safety_buffer.h>
 #include <traverse/multi_lidar_grid/fusion.h>
 #include <traverse/multi_lidar_grid/multi_lidar_grid.h>
-#include <traverse/multi_lidar_grid/safety_buffer.h>
 
 #include <algorithm>
 #include <bit>
@@ -107,7 +107,7 @@ std::vector<uint8_t> bufferIn(
   constexpr int32_t kNeighbours = 4;  // that the strip's rules look at
   std::vector<uint8_t> zones(
       static_cast<size_t>(window.width()) * static_cast<size_t>(window.height()), 0);
-  const BufferParams buffer{
+  const layers::BufferParams buffer{
       state.lattice.cell_m(), hardBuffer_m(params, vehicle), params.soft_buffer_m, params.strip};
   const double reach_cells = (buffer.hard_m + buffer.soft_m) / buffer.cell_size_m;
   const geometry::CellRect around = geometry::intersection(
@@ -122,7 +122,7 @@ std::vector<uint8_t> bufferIn(
   state.cells.forEachIn(
       around, [&](geometry::CellIndex, const Cell& cell)
       { states.push_back(static_cast<uint8_t>(cell.state)); });
-  const std::vector<uint8_t> found = safetyBuffer(states, around.width(), buffer);
+  const std::vector<uint8_t> found = layers::safetyBuffer(states, around.width(), buffer);
   const geometry::CellRect shown = geometry::intersection(window, around);
   for (geometry::CellIndex c = shown.min; c.y < shown.max.y; ++c.y)
   {

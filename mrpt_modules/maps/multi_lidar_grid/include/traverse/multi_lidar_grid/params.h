@@ -3,6 +3,7 @@
 #pragma once
 
 #include <traverse/geometry/vehicle.h>
+#include <traverse/layers/safety_buffer.h>
 #include <traverse/options/option.h>
 
 #include <array>
@@ -32,14 +33,6 @@ enum class Accumulation : uint8_t
 {
   sweeps,    //!< a hit is an obstacle at once; so many contradicting sweeps free it
   log_odds,  //!< each hit and each pass shifts the odds
-};
-
-/** Where a cell between two obstacles is as far from one as from the other. */
-enum class StripRule : uint8_t
-{
-  standard,  //!< "default": the directions to the nearest obstacle jump there
-  paper,     //!< the Laplacian of the distances is strongly negative there
-  none,      //!< soft buffers stay whole
 };
 
 /** Section insertOpts of the map: doc/maps/multi_lidar_grid.md. */
@@ -74,7 +67,7 @@ struct Params
 
   double hard_buffer_m = 0;
   double soft_buffer_m = 1.2;
-  StripRule strip = StripRule::standard;
+  layers::StripRule strip = layers::StripRule::standard;
 
   friend bool operator==(const Params&, const Params&) = default;
 };
@@ -289,12 +282,4 @@ struct traverse::options::EnumNames<traverse::multi_lidar_grid::Accumulation>
   using E = traverse::multi_lidar_grid::Accumulation;
   static constexpr std::array<std::pair<E, std::string_view>, 2> kNames = {
       {{E::sweeps, "sweeps"}, {E::log_odds, "log_odds"}}};
-};
-
-template <>
-struct traverse::options::EnumNames<traverse::multi_lidar_grid::StripRule>
-{
-  using E = traverse::multi_lidar_grid::StripRule;
-  static constexpr std::array<std::pair<E, std::string_view>, 3> kNames = {
-      {{E::standard, "default"}, {E::paper, "paper"}, {E::none, "none"}}};
 };

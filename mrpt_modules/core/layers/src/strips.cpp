@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <limits>
 
-namespace traverse::multi_lidar_grid
+namespace traverse::layers
 {
 namespace
 {
-constexpr auto kSoft = static_cast<uint8_t>(layers::BufferZone::soft);
-constexpr auto kStrip = static_cast<uint8_t>(layers::BufferZone::strip);
+constexpr auto kSoft = static_cast<uint8_t>(BufferZone::soft);
+constexpr auto kStrip = static_cast<uint8_t>(BufferZone::strip);
 
 // Where the buffers of two posts just touch, they do over 7 cells (of 15).
 constexpr int32_t kLeastPassage_cells = 4;
@@ -126,4 +126,4 @@ void Ridge::dropDents(uint32_t labels)
   }
 }
 
-}  // namespace traverse::multi_lidar_grid
+}  // namespace traverse::layers

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace traverse::multi_lidar_grid
+namespace traverse::layers
 {
 /** The soft cells between two obstacles: those that are strip, and those that may become so. While
  * cells are added their zones have codes of its own. */
@@ -25,7 +25,7 @@ class Ridge
   void add(size_t cell, int32_t squared_distance, bool is_strip);
 
   /** Joins strips over gaps, leads them on into the open, takes back those that are no way, and
-   * makes the zones codes of layers::BufferZone. */
+   * makes the zones codes of BufferZone. */
   void finish();
 
  private:
@@ -52,4 +52,4 @@ class Ridge
   std::vector<Cell> cells_;
   std::unique_ptr<uint32_t[]> index_;  // in cells_, of those in it; others' memory is not touched
 };
-}  // namespace traverse::multi_lidar_grid
+}  // namespace traverse::layers

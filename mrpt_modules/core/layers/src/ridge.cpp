@@ -8,12 +8,12 @@
 #include <cmath>
 #include <numeric>
 
-namespace traverse::multi_lidar_grid
+namespace traverse::layers
 {
 namespace
 {
-constexpr auto kSoft = static_cast<uint8_t>(layers::BufferZone::soft);
-constexpr auto kStrip = static_cast<uint8_t>(layers::BufferZone::strip);
+constexpr auto kSoft = static_cast<uint8_t>(BufferZone::soft);
+constexpr auto kStrip = static_cast<uint8_t>(BufferZone::strip);
 constexpr uint8_t kPerhaps = 255;  // soft, and may become strip
 
 // Distances along the middle of a corridor go up and down by so much, as its walls fall on cells.
@@ -186,4 +186,4 @@ void Ridge::finish()
   }
   dropDents(labelStrips());
 }
-}  // namespace traverse::multi_lidar_grid
+}  // namespace traverse::layers

@@ -3,7 +3,7 @@
 #include "strip.h"
 
 #include <traverse/layers/distance_transform.h>
-#include <traverse/multi_lidar_grid/safety_buffer.h>
+#include <traverse/layers/safety_buffer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +11,12 @@
 #include <stdexcept>
 #include <utility>
 
-namespace traverse::multi_lidar_grid
+namespace traverse::layers
 {
 namespace
 {
-using layers::BufferZone;
-using layers::OccupancyState;
 
-constexpr int64_t kReach_cells = layers::DistanceTransform::kLongestReach_cells;
+constexpr int64_t kReach_cells = DistanceTransform::kLongestReach_cells;
 
 int64_t micrometres(double m)
 {
@@ -62,7 +60,7 @@ struct Limits
 
 void setZones(
     std::span<const uint8_t> states,
-    const layers::NearestRow& nearest,
+    const NearestRow& nearest,
     const Limits& limits,
     std::span<uint8_t> zones)
 {
@@ -88,14 +86,14 @@ std::vector<uint8_t> safetyBuffer(
   const int64_t cell = micrometres(params.cell_size_m);
   const Limits limits = {
       squaredCells(hard, cell), squaredCells(hard + micrometres(params.soft_m), cell)};
-  layers::DistanceTransform transform(obstaclesOf(states), columns, limits.soft_squared);
+  DistanceTransform transform(obstaclesOf(states), columns, limits.soft_squared);
   std::vector<uint8_t> zones(states.size());
   const auto width = static_cast<size_t>(columns);
   const Buffer buffer = {states, zones, width};
   Strip strip(buffer, limits.hard_squared);
   std::vector<uint8_t> is_hard;  // of all cells, for strip = paper
-  layers::NearestRow now;
-  layers::NearestRow before;
+  NearestRow now;
+  NearestRow before;
   for (size_t y = 0; y * width < states.size(); ++y)
   {
     transform.row(static_cast<int32_t>(y), now);
@@ -124,4 +122,4 @@ std::vector<uint8_t> safetyBuffer(
   }
   return zones;
 }
-}  // namespace traverse::multi_lidar_grid
+}  // namespace traverse::layers

@@ -8,20 +8,20 @@
 #include <cstdint>
 #include <span>
 
-namespace traverse::multi_lidar_grid
+namespace traverse::layers
 {
 /** A grid and its buffer, of which strips are cut; rows of `columns` cells. */
 struct Buffer
 {
-  std::span<const uint8_t> states;  //!< codes of layers::OccupancyState
-  std::span<uint8_t> zones;         //!< codes of layers::BufferZone
+  std::span<const uint8_t> states;  //!< codes of OccupancyState
+  std::span<uint8_t> zones;         //!< codes of BufferZone
   size_t columns = 1;
 
   /** Or strip of what would be soft. */
   bool isSoft(size_t cell) const
   {
-    return zones[cell] != static_cast<uint8_t>(layers::BufferZone::none) &&
-           zones[cell] != static_cast<uint8_t>(layers::BufferZone::hard);
+    return zones[cell] != static_cast<uint8_t>(BufferZone::none) &&
+           zones[cell] != static_cast<uint8_t>(BufferZone::hard);
   }
 
   /** By one of its sides. */
@@ -32,8 +32,8 @@ struct Buffer
         cell,
         [&](size_t next)
         {
-          found |= zones[next] == static_cast<uint8_t>(layers::BufferZone::none) &&
-                   states[next] != static_cast<uint8_t>(layers::OccupancyState::unknown);
+          found |= zones[next] == static_cast<uint8_t>(BufferZone::none) &&
+                   states[next] != static_cast<uint8_t>(OccupancyState::unknown);
         });
     return found;
   }
@@ -82,4 +82,4 @@ struct Buffer
         });
   }
 };
-}  // namespace traverse::multi_lidar_grid
+}  // namespace traverse::layers

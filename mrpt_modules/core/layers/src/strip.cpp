@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace traverse::multi_lidar_grid
+namespace traverse::layers
 {
 namespace
 {
@@ -65,7 +65,7 @@ bool Strip::differ(const Side& a, const Side& b, int64_t apart_squared)
 /** b lies (step_x, step_y) from a. */
 void Strip::addPair(const Side& a, const Side& b, int32_t step_x, int32_t step_y)
 {
-  if (a.squared == layers::NearestRow::kNone || b.squared == layers::NearestRow::kNone ||
+  if (a.squared == NearestRow::kNone || b.squared == NearestRow::kNone ||
       !(buffer_.isSoft(a.cell) || buffer_.isSoft(b.cell)))
   {
     return;
@@ -91,7 +91,7 @@ void Strip::addPair(const Side& a, const Side& b, int32_t step_x, int32_t step_y
 
 /** Which pairs with a cell may have obstacles that lie apart, by the longer of columns and rows
  * between these: kLeft, kBelow. Most have not. */
-void Strip::findApart(const layers::NearestRow& now, const layers::NearestRow& before)
+void Strip::findApart(const NearestRow& now, const NearestRow& before)
 {
   const auto longer = [](int across, int along)
   { return static_cast<int16_t>(std::max(std::abs(across), std::abs(along))); };
@@ -118,11 +118,11 @@ void Strip::findApart(const layers::NearestRow& now, const layers::NearestRow& b
   }
 }
 
-void Strip::addRow(size_t y, const layers::NearestRow& now, const layers::NearestRow& before)
+void Strip::addRow(size_t y, const NearestRow& now, const NearestRow& before)
 {
   findApart(now, before);
   const size_t begin = y * buffer_.columns;
-  const auto side = [](const layers::NearestRow& row, size_t row_begin, size_t x) {
+  const auto side = [](const NearestRow& row, size_t row_begin, size_t x) {
     return Side{row_begin + x, row.squared[x], row.dx[x], row.dy[x]};
   };
   for (size_t word = 0; word < apart_.size(); word += kWord)
@@ -142,4 +142,4 @@ void Strip::addRow(size_t y, const layers::NearestRow& now, const layers::Neares
     }
   }
 }
-}  // namespace traverse::multi_lidar_grid
+}  // namespace traverse::layers

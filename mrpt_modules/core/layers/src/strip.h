@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace traverse::multi_lidar_grid
+namespace traverse::layers
 {
 /** strip = default. Where the directions to the nearest obstacle of two neighbouring cells differ
  * by 120 degrees or more, a strip is cut. What it needs beyond is the Ridge's: soft cells between
@@ -19,7 +19,7 @@ class Strip
   Strip(const Buffer& buffer, int32_t hard_squared);
 
   /** The zones of rows up to y are set; rows come in order, `before` is of row y - 1. */
-  void addRow(size_t y, const layers::NearestRow& now, const layers::NearestRow& before);
+  void addRow(size_t y, const NearestRow& now, const NearestRow& before);
 
   void finish() { ridge_.finish(); }
 
@@ -32,7 +32,7 @@ class Strip
   };
 
   static bool differ(const Side& a, const Side& b, int64_t apart_squared);
-  void findApart(const layers::NearestRow& now, const layers::NearestRow& before);
+  void findApart(const NearestRow& now, const NearestRow& before);
   void addPair(const Side& a, const Side& b, int32_t step_x, int32_t step_y);
 
   Buffer buffer_;
@@ -46,4 +46,4 @@ class Strip
  * buffer, in cells, is below -0.3. is_hard: of unknown cells too. soft_cells: width of the soft
  * buffer. */
 void cutByLaplacian(const Buffer& buffer, std::span<const uint8_t> is_hard, int32_t soft_cells);
-}  // namespace traverse::multi_lidar_grid
+}  // namespace traverse::layers

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace traverse::multi_lidar_grid
+namespace traverse::layers
 {
 namespace
 {
@@ -25,10 +25,10 @@ constexpr std::array<std::array<float, 3>, 3> kKernel = {{{-24, -8, 4}, {-8, 0, 
 std::vector<float> distancesTo(std::span<const uint8_t> is_hard, size_t columns, int32_t soft_cells)
 {
   const int32_t cap = soft_cells + 5;
-  layers::DistanceTransform transform(is_hard, static_cast<int32_t>(columns), cap * cap);
+  DistanceTransform transform(is_hard, static_cast<int32_t>(columns), cap * cap);
   std::vector<float> distances;
   distances.reserve(is_hard.size());
-  layers::NearestRow row;
+  NearestRow row;
   for (int32_t y = 0; y < transform.rows(); ++y)
   {
     transform.row(y, row);
@@ -66,12 +66,12 @@ void cutByLaplacian(const Buffer& buffer, std::span<const uint8_t> is_hard, int3
     for (size_t x = kReach; x + kReach < columns; ++x)
     {
       uint8_t& zone = buffer.zones[y * columns + x];
-      if (zone == static_cast<uint8_t>(layers::BufferZone::soft) &&
+      if (zone == static_cast<uint8_t>(BufferZone::soft) &&
           laplacianAt(&distances[y * columns + x], columns) < kThreshold)
       {
-        zone = static_cast<uint8_t>(layers::BufferZone::strip);
+        zone = static_cast<uint8_t>(BufferZone::strip);
       }
     }
   }
 }
-}  // namespace traverse::multi_lidar_grid
+}  // namespace traverse::layers
