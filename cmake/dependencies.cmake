@@ -22,7 +22,8 @@ foreach(name rosbag_storage roscpp_serialization rostime cpp_common console_brid
   find_library(ROSBAG_${name} ${name} REQUIRED)
   target_link_libraries(rosbag::storage INTERFACE ${ROSBAG_${name}})
 endforeach()
-foreach(module core config io img math poses obs opengl maps slam serialization rtti system)
+foreach(module core config io img math poses obs opengl maps slam nav serialization rtti system)
   find_package(mrpt-${module} 2.5 REQUIRED)
 endforeach()
 find_package(embree 3.13 REQUIRED)
+find_package(ompl 1.5 REQUIRED)  # Reeds-Shepp curves
