@@ -3,7 +3,6 @@
 #include "command_line.h"
 #include "index_runs.h"
 #include "label_files.h"
-#include "map_set.h"
 #include "mapping.h"
 #include "merging.h"
 #include "outputs.h"
@@ -14,6 +13,7 @@
 #include "verdict.h"
 
 #include <traverse/common_app/interrupt.h>
+#include <traverse/common_app/map_set.h>
 #include <traverse/common_app/why.h>
 #include <traverse/formats/archive.h>
 #include <traverse/formats/safe_file.h>
@@ -50,7 +50,7 @@ ExitCode concluded(const RunMetrics& metrics, const std::filesystem::path& folde
 
 std::vector<BuiltMap> buildChecked(const Settings& settings)
 {
-  std::vector<BuiltMap> maps = buildMaps(settings);
+  std::vector<BuiltMap> maps = buildMaps(settings.ini, settings.maps);
   if (settings.piece)
   {
     checkPieces(settings, maps);
@@ -115,7 +115,7 @@ ExitCode rebuildIt(const Settings& settings)
   metrics.pose_source = "octree";
   metrics.warnings = settings.warnings;
   const Interrupt interrupt;
-  std::vector<BuiltMap> maps = buildMaps(settings);
+  std::vector<BuiltMap> maps = buildMaps(settings.ini, settings.maps);
   checkRebuildable(maps);
   Outputs outputs(settings, metrics);
   mapOctree(settings, maps, metrics);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "merging.h"
 
-#include "map_set.h"
 #include "mapping.h"
 #include "outputs.h"
 #include "piece.h"
@@ -11,6 +10,7 @@
 
 #include <traverse/common_app/input_file.h>
 #include <traverse/common_app/interrupt.h>
+#include <traverse/common_app/map_set.h>
 #include <traverse/common_app/progress.h>
 
 #include <algorithm>
@@ -239,7 +239,7 @@ std::filesystem::path mergeFolders(const Command& command, RunMetrics& metrics)
 {
   const std::vector<PieceFolder> folders = readFolders(command);
   const Settings settings = commonSettings(folders, command);
-  std::vector<BuiltMap> maps = buildMaps(settings);
+  std::vector<BuiltMap> maps = buildMaps(settings.ini, settings.maps);
   checkPieces(settings, maps);
   Outputs outputs(settings, metrics);
   mergeMaps(folders, settings, maps, metrics);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings.h"
-#include "wanted_maps.h"
+
+#include <traverse/common_app/wanted_maps.h>
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "map_set.h"
 #include "metrics.h"
 #include "settings.h"
 
+#include <traverse/common_app/map_set.h>
 #include <traverse/formats/output_folder.h>
 #include <traverse/formats/report.h>
 #include <traverse/poses/pose_track.h>

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings.h"
 
-#include "wanted_maps.h"
-
 #include <traverse/config/strict.h>
 
 #include <algorithm>
@@ -23,89 +21,6 @@ const std::vector<std::string>& ownSections()
   static const std::vector<std::string> kSections = {"traverse-map", "Vehicle", "Poses",
                                                      "Sensors",      "Log",     "Maps"};
   return kSections;
-}
-
-bool isOwn(const std::string& section)
-{
-  for (const std::string& own : ownSections())
-  {
-    if (sameName(own, section))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/** A section that a map which is counted in [Maps] reads. */
-bool isOfAWantedMap(const std::string& section, const std::vector<WantedMap>& maps)
-{
-  for (const WantedMap& map : maps)
-  {
-    for (const std::string& own : mapSections(map))
-    {
-      if (sameName(own, section))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-/** [Maps_<map>_...] of a stock map: which sections it reads is MRPT's business. */
-bool isOfAStockMap(const std::string& section, const std::vector<WantedMap>& maps)
-{
-  for (const WantedMap& map : maps)
-  {
-    const std::string prefix = fmt::format("Maps_{}_", map.name);
-    if (section.size() > prefix.size() && sameName(section.substr(0, prefix.size()), prefix))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-const Entry& firstEntry(const config::IniDocument& ini, const std::string& section)
-{
-  for (const Entry& e : ini.entries())
-  {
-    if (sameName(e.section, section))
-    {
-      return e;
-    }
-  }
-  throw std::logic_error("a section without entries");
-}
-
-void checkSections(Settings& settings, const std::vector<WantedMap>& stock)
-{
-  for (const std::string& section : settings.ini.sections())
-  {
-    if (isOwn(section) || isOfAWantedMap(section, settings.maps))
-    {
-      continue;
-    }
-    const std::string place = firstEntry(settings.ini, section).place;
-    if (isOfAStockMap(section, stock))
-    {
-      settings.warnings.push_back(
-          fmt::format("{}: [{}] belongs to a stock MRPT map: not checked", place, section));
-      continue;
-    }
-    std::vector<std::string> known = ownSections();
-    for (const WantedMap& map : settings.maps)
-    {
-      const auto more = mapSections(map);
-      known.insert(known.end(), more.begin(), more.end());
-    }
-    const std::string near = options::nearest(section, known);
-    throw ConfigError(fmt::format(
-        "{}: unknown section [{}]; {}", place, section,
-        near.empty() ? fmt::format("known: [{}]", fmt::join(known, "], ["))
-                     : "did you mean [" + near + "]?"));
-  }
 }
 
 /** Relative names of the ini start at its folder; those of the command line at the working folder.
@@ -188,13 +103,10 @@ Settings loadSettings(const Command& command)
       fromIniFolder(settings.ini, "Poses", "times_file", settings.poses.times_file);
   checkTogether(settings);
 
-  std::vector<WantedMap> stock;
-  readWantedMaps(settings, stock);
-  checkSections(settings, stock);
-  for (const WantedMap& map : settings.maps)
-  {
-    checkMapSections(map, settings.ini);
-  }
+  MapWishes wishes = readWantedMaps(settings.ini);
+  checkSections(settings.ini, ownSections(), wishes);
+  settings.maps = wishes.ours;
+  settings.warnings = wishes.warnings;
   settings.rawlog = command.rawlog.empty()
                         ? fromIniFolder(settings.ini, "traverse-map", "rawlog", settings.run.rawlog)
                         : command.rawlog;

@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "run_params.h"
 
+#include <traverse/common_app/wanted_maps.h>
 #include <traverse/config/ini_document.h>
 #include <traverse/geometry/vehicle.h>
 #include <traverse/logs/log_params.h>
@@ -19,13 +20,6 @@
 
 namespace traverse::app
 {
-/** A map that the ini asks for: `name`_count = count in section [Maps]. */
-struct WantedMap
-{
-  std::string name;  //!< as in the ini
-  int count = 0;
-};
-
 /** Everything a run needs, checked. */
 struct Settings
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "map_set.h"
+#include <traverse/common_app/map_set.h>
 
 #include <mrpt/config/CConfigFileMemory.h>
 
@@ -15,10 +15,11 @@ namespace
 using config::ConfigError;
 
 /** The maps of one name, as MRPT's factory makes them from its `name_count` key. */
-std::vector<mrpt::maps::CMetricMap::Ptr> make(const WantedMap& wanted, const Settings& settings)
+std::vector<mrpt::maps::CMetricMap::Ptr> make(
+    const config::IniDocument& ini, const WantedMap& wanted)
 {
-  config::IniDocument only = settings.ini;
-  for (const config::Entry& entry : settings.ini.entries())
+  config::IniDocument only = ini;
+  for (const config::Entry& entry : ini.entries())
   {
     if (config::sameName(entry.section, "Maps"))
     {
@@ -59,9 +60,9 @@ std::string withPlace(const std::string& message, const config::IniDocument& ini
 }
 
 /** Adds the maps of one name; all of them, or ConfigError. */
-void addMaps(const WantedMap& wanted, const Settings& settings, std::vector<BuiltMap>& built)
+void addMaps(const config::IniDocument& ini, const WantedMap& wanted, std::vector<BuiltMap>& built)
 {
-  const auto maps = make(wanted, settings);
+  const auto maps = make(ini, wanted);
   if (maps.size() != static_cast<size_t>(wanted.count))
   {
     throw ConfigError(fmt::format(
@@ -85,14 +86,15 @@ geometry::Lattice latticeOf(const BuiltMap& map)
   return map.consumer->layerSet(geometry::CellRect{{0, 0}, {1, 1}}).lattice;
 }
 
-std::vector<BuiltMap> buildMaps(const Settings& settings)
+std::vector<BuiltMap> buildMaps(
+    const config::IniDocument& ini, const std::vector<WantedMap>& wanted)
 {
   std::vector<BuiltMap> built;
-  for (const WantedMap& wanted : settings.maps)
+  for (const WantedMap& some : wanted)
   {
     try
     {
-      addMaps(wanted, settings, built);
+      addMaps(ini, some, built);
     }
     catch (const ConfigError&)
     {
@@ -100,7 +102,7 @@ std::vector<BuiltMap> buildMaps(const Settings& settings)
     }
     catch (const std::exception& e)
     {
-      throw ConfigError(withPlace(plainMessage(e.what()), settings.ini));
+      throw ConfigError(withPlace(plainMessage(e.what()), ini));
     }
   }
   return built;

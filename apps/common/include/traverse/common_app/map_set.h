@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "settings.h"
-
+#include <traverse/common_app/wanted_maps.h>
+#include <traverse/config/ini_document.h>
 #include <traverse/layers/scan_consumer.h>
 
 #include <mrpt/maps/CMultiMetricMap.h>
@@ -28,7 +28,8 @@ struct BuiltMap
 /** The map's cells. */
 geometry::Lattice latticeOf(const BuiltMap& map);
 
-/** Makes the maps that the ini asks for with MRPT's own factory. A map that was asked for and not
+/** Makes the wanted maps of an ini with MRPT's own factory. A map that was asked for and not
  * built is an error: throws config::ConfigError, with the line of the ini where it is known. */
-std::vector<BuiltMap> buildMaps(const Settings& settings);
+std::vector<BuiltMap> buildMaps(
+    const config::IniDocument& ini, const std::vector<WantedMap>& wanted);
 }  // namespace traverse::app
