@@ -6,6 +6,7 @@ find_package(fmt 9 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(GIF 5 REQUIRED)
 find_package(GDAL 3.6 REQUIRED)
 find_package(octomap 1.9 REQUIRED)
 # ROS 1's bag reader. Its own CMake and pkg-config files of Debian 12 want packages that nobody needs

@@ -39,7 +39,7 @@ endfunction()
 # The word that arrows.txt uses for a link target.
 function(traverse_library_word TARGET_NAME RESULT)
   set(words "^Eigen3::=Eigen" "^mrpt::=MRPT" "^GDAL::=GDAL" "^fmt::=fmt" "^nlohmann_json::=nlohmann_json"
-    "^ZLIB::=zlib" "^CLI11::=CLI11" "^TBB::=TBB" "^nanoflann::=nanoflann" "^rosbag::=rosbag" "^embree=Embree" "^ompl::=OMPL" "^opencv_=OpenCV" "octo(map|math)=OctoMap")
+    "^ZLIB::=zlib" "^GIF::=GIF" "^CLI11::=CLI11" "^TBB::=TBB" "^nanoflann::=nanoflann" "^rosbag::=rosbag" "^embree=Embree" "^ompl::=OMPL" "^opencv_=OpenCV" "octo(map|math)=OctoMap")
   set(${RESULT} ${TARGET_NAME} PARENT_SCOPE)
   foreach(pair ${words})
     string(REGEX REPLACE "=[^=]*$" "" pattern "${pair}")
