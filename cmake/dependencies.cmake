@@ -27,4 +27,10 @@ foreach(module core config io img math poses obs opengl maps slam nav serializat
   find_package(mrpt-${module} 2.5 REQUIRED)
 endforeach()
 find_package(embree 3.13 REQUIRED)
-find_package(ompl 1.5 REQUIRED)  # Reeds-Shepp curves
+find_package(ompl 1.5 REQUIRED)  # Reeds-Shepp curves; its CMake file of Debian 12 names no target
+if(NOT TARGET ompl::ompl)
+  add_library(ompl::ompl INTERFACE IMPORTED)
+  find_library(OMPL_LIBRARY ompl PATHS ${OMPL_LIBRARY_DIRS} REQUIRED)
+  target_include_directories(ompl::ompl SYSTEM INTERFACE ${OMPL_INCLUDE_DIR})
+  target_link_libraries(ompl::ompl INTERFACE ${OMPL_LIBRARY})
+endif()
