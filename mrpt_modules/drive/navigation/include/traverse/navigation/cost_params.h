@@ -51,7 +51,9 @@ void visitCostParams(P& p, F&& f)
   f(
       Option{
           "hard_buffer_m",
-          "the vehicle's middle stays so far from obstacles, m; 0: half of the footprint's width",
+          "so far from the middle of an obstacle's cell the vehicle's middle stays, m; 0: half of "
+          "the "
+          "footprint's width and of a cell's diagonal",
           {0, 100}},
       p.hard_buffer_m);
   f(

@@ -38,11 +38,13 @@ struct Costmap
 {
   geometry::Lattice lattice;
   geometry::CellRect extent;
+  geometry::Pose2 stand;  //!< where the vehicle stood
   std::vector<Passage> passage;
   std::vector<float> price;      //!< of a metre, >= kLeastPrice; also where nothing may drive
   std::vector<float> speed_mps;  //!< highest speed that the ground allows; infinity: no limit
   std::vector<float>
       obstacle_m;  //!< what stands there over the ground, m; NaN: nothing or not known
+  bool is_unknown_planned = true;  //!< CostParams::unknown is not UnknownPolicy::never
 
   size_t size() const { return passage.size(); }
 
@@ -75,11 +77,13 @@ struct MapLayers
 /** Puts the layers of any maps together. Each layer is known by its name (cost_rules.h); a cell is
  * what the worst of its layers says, prices add up, and speeds are the lowest. Maps may have cells
  * of other sizes: a cell of the costmap counts all cells of theirs that overlap it. Buffers are
- * grown around the obstacles of all maps together (CostParams::hard_buffer_m). Cells under the
- * vehicle's own footprint, where it stands, that no map saw are open.
+ * grown around the obstacles of all maps together (hardBuffer_m() of cost_rules.h); the unknown has
+ * part in them where it may be planned through. What several maps say in layers of one name counts
+ * once, the worst of it. Cells under the vehicle's own footprint, where it stands, that no map saw
+ * are open. Cells that one map knows and another does not are known.
  *
- * Throws std::invalid_argument where the extent is empty or has more than 4096 cells along an edge.
- */
+ * Throws std::invalid_argument where the extent is empty or has more than 4096 cells along an edge,
+ * a layer has not as many cells as its map, or buffers are out of layers::safetyBuffer's range. */
 Costmap costmapOf(
     std::span<const MapLayers> maps,
     const geometry::Lattice& lattice,

@@ -8,6 +8,7 @@
 #include <traverse/options/option.h>
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace traverse::navigation
@@ -58,24 +59,31 @@ void visit(const SpeedParams& p, F&& f)
 enum class SpeedReason : uint8_t
 {
   vehicle,    //!< its highest speed, or its acceleration
-  curve,      //!< lateral acceleration or friction
-  ground,     //!< roughness class, by Costmap::speed_mps
+  curve,      //!< lateral acceleration, friction, or how fast it turns
+  ground,     //!< roughness class, by Costmap::speed_mps under the vehicle's middle
   unknown,    //!< it must be able to stop before what no map has seen
-  end,        //!< it must stop at the path's end
-  clearance,  //!< hard buffers are near: obstacles may come out of them
+  end,        //!< it must stop at the path's end, or where it turns round
+  clearance,  //!< a hard buffer is nearer than it gets within reaction_s
 };
 
-/** Highest speed at a place of the path, m/s, and why. */
+/** For people and reports: "vehicle" ... */
+std::string_view nameOf(SpeedReason reason);
+
+/** Highest speed at a place of the path, m/s (backward too), and why. */
 struct SpeedLimit
 {
   double speed_mps = 0;
   SpeedReason reason = SpeedReason::vehicle;
 };
 
-/** One for each point of the path, from `speed_mps` at its beginning on: limits by curvature,
- * ground and stopping distance, then passes backward and forward so that no acceleration is above
- * the drivetrain's, nor above what friction_margin * friction * g leaves of it. Stops (0) at the
- * end and where the path changes between forward and backward. */
+/** One for each point of the path, from `speed_mps` at its beginning on: limits at each point by
+ * itself, then passes backward and forward so that no acceleration is above the drivetrain's, nor,
+ * together with that of the curve, above friction_margin * friction * g. Stops (0) at the end and
+ * where the path changes between forward and backward; elsewhere it is creep_mps at least, or the
+ * vehicle's highest speed where that is less.
+ *
+ * Within v reaction_s + v^2 / (2 deceleration) of the first unknown cell on its way it stands. A
+ * cell that is unknown amid four known ones is a gap between beams and does not count. */
 std::vector<SpeedLimit> speedProfile(
     const Path& path,
     const Costmap& costmap,

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace traverse::navigation
@@ -38,7 +39,7 @@ void visitWatchdogParams(P& p, F&& f)
   f(
       Option{
           "max_pose_jump_m",
-          "a pose that jumps further says that the place is lost, m",
+          "a pose that jumps so much further than at its speed says that the place is lost, m",
           {0.01, 100}},
       p.max_pose_jump_m);
   f(Option{"no_way_s", "so long without a way it stands for good, s", {0.1, 3600}}, p.no_way_s);
@@ -115,12 +116,26 @@ struct Decision
   std::string text;  //!< with the numbers that decided
 };
 
-/** Holds what happens against its limits, step by step. Stops at once, drives on when the cause is
- * over; a way or motion that is missing for no_way_s ends the mission, after recoveries where
- * backing off may help. */
+/** Holds what happens against its limits, step by step; the first that applies decides:
+ *
+ *   no newer pose, no newer scan       stops, drives on once there is one
+ *   a pose jumps                       stops until poses have been steady for kSettle_s
+ *   the goal is near                   arrived, until nextGoal()
+ *   no way                             stops, gives up after no_way_s (cause: no_way, or
+ *                                      goal_in_obstacle)
+ *   a way and no motion                stops; after half of no_way_s backs off for kBackOff_s, and
+ *                                      gives up when that was done most_recoveries times; does not
+ *                                      back off from a goal in an obstacle
+ *   it drives, and gets nowhere        backs off; likewise
+ *
+ * Turning by kTurned_rad is getting somewhere. Giving up is final. */
 class Supervisor
 {
  public:
+  static constexpr double kSettle_s = 1.0;
+  static constexpr double kBackOff_s = 1.5;
+  static constexpr double kTurned_rad = 1.0;
+
   /** Throws options::OptionError. */
   Supervisor(const WatchdogParams& params, double goal_tolerance_m);
 
@@ -130,20 +145,37 @@ class Supervisor
   /** The mission's next goal: what was waited for is forgotten, recoveries are not. */
   void nextGoal();
 
+  int recoveries() const { return recoveries_; }
+
   /** All changes of conduct or cause so far. */
   const std::vector<Decision>& log() const { return log_; }
 
  private:
-  Decision judge(const Situation& situation);
+  using Verdict = std::optional<Decision>;
+
+  Decision judge(const Situation& now);
+  Verdict senses(const Situation& now) const;
+  Verdict jump(const Situation& now);
+  Decision withoutWay(const Situation& now);
+  Decision withoutMotion(const Situation& now);
+  Verdict stuck(const Situation& now);
+  Decision recover(const Situation& now, Cause cause, const std::string& why);
+  void forgetWaiting();
+  double hinderedFor_s(const Situation& now);
 
   WatchdogParams params_;
   double goal_tolerance_m_;
   std::vector<Decision> log_;
-  std::optional<poses::TimeNs> hindered_since_;
-  std::optional<geometry::Pose2> last_pose_;
+  Verdict final_;                                //!< arrived or given up
+  std::optional<poses::TimeNs> hindered_since_;  //!< no way, or no motion
+  std::optional<Situation> before_;              //!< the step with the latest pose
+  double last_speed_mps_ = 0;                    //!< as poses say
+  std::optional<poses::TimeNs> jumped_;
+  double jumped_by_m_ = 0;
   std::optional<geometry::Pose2> stuck_from_;
   poses::TimeNs stuck_since_ = 0;
-  poses::TimeNs recover_until_ = 0;
+  std::optional<poses::TimeNs> recover_until_;
+  Cause recover_cause_ = Cause::none;
   int recoveries_ = 0;
 };
 }  // namespace traverse::navigation

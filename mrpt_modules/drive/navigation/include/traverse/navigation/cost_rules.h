@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/geometry/lattice.h>
+#include <traverse/geometry/vehicle.h>
+#include <traverse/layers/occupancy_state.h>
+#include <traverse/navigation/cost_params.h>
+
+#include <limits>
+#include <span>
+#include <string_view>
+
+// What the layers of maps mean to the navigator. A map is known by its layers' names alone:
+//
+//   layer                   value                   says
+//   occupancy_state         0                       nothing
+//                           1 free, 4 overhang      may be driven
+//                           2 obstacle              obstacle, of a height that is not known
+//                           3 negative              obstacle: the ground falls away (kFallsAway)
+//   traversability_class    0                       nothing
+//                           1 flat                  may be driven
+//                           2 small roughness       may be driven, at small_roughness_mps at most
+//                           3 large roughness       may be driven, at large_roughness_mps at most
+//                           4 obstacle              obstacle, of height_max over ground_height
+//   guaranteed_outline      not 0                   obstacle
+//   traversability_index    0 .. 100                price + index_price * index / 100
+//   slope_deg               deg                     price + slope_price * slope / max_slope_deg,
+//                                                   slope_price at most
+//
+// NaN says nothing, and so does a code that is not in the table. A slope alone is no obstacle: that
+// of a single cell is fitted to few points of one or two rings, and flat road shows 15 deg and more
+// (doc/maps/traversability_grid.md counts them); what is too steep to drive is the class's to say.
+// safety_buffer of a map is not read: buffers are grown anew around all maps' obstacles.
+namespace traverse::navigation
+{
+/** What one value of a layer says of its cell. */
+struct CellSays
+{
+  layers::OccupancyState state = layers::OccupancyState::unknown;  //!< unknown: nothing of it
+  float price = 0;                                                 //!< added to that of a metre
+  float speed_mps = std::numeric_limits<float>::infinity();
+};
+
+/** A row of the table. */
+struct LayerRule
+{
+  std::string_view layer;
+  bool is_price = false;  //!< it says a price and nothing else; others say no price
+  CellSays (*says)(double value, const geometry::Vehicle&, const CostParams&) = nullptr;
+};
+
+/** All rows. */
+std::span<const LayerRule> layerRules();
+
+/** The hard buffer in use, m, from the middle of an obstacle's cell: CostParams::hard_buffer_m, or
+ * half of the footprint's width and half of a cell's diagonal, so that a round vehicle in the
+ * middle of an open cell touches nothing wherever in its cell the obstacle is. */
+double hardBuffer_m(
+    const CostParams& params, const geometry::Vehicle& vehicle, const geometry::Lattice& lattice);
+}  // namespace traverse::navigation

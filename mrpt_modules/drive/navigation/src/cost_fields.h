@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "overlap.h"
+
+#include <traverse/navigation/cost_rules.h>
+#include <traverse/navigation/costmap.h>
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace traverse::navigation
+{
+/** Where a costmap's cells lie. */
+struct CostFrame
+{
+  geometry::Lattice lattice;
+  geometry::CellRect extent;
+};
+
+/** What the layers of all maps say of the cells of a costmap; no buffers yet. */
+class CostFields
+{
+ public:
+  CostFields(
+      std::span<const MapLayers> maps,
+      const CostFrame& frame,
+      const geometry::Vehicle& vehicle,
+      const CostParams& params);
+
+  /** Codes of layers::OccupancyState: unknown, free, obstacle or negative. */
+  std::vector<uint8_t> takeStates() { return std::move(states_); }
+
+  std::vector<float> takePrices() { return std::move(prices_); }
+
+  std::vector<float> takeSpeeds() { return std::move(speeds_); }
+
+  std::vector<float> takeHeights() { return std::move(heights_); }
+
+ private:
+  void readStates(const layers::Layer& layer, const Overlap& overlap, const LayerRule& rule);
+  void readHeights(const layers::LayerSet& set, const Overlap& overlap);
+  void addPrices(const LayerRule& rule);
+
+  std::span<const MapLayers> maps_;
+  std::vector<Overlap> overlaps_;
+  const geometry::Vehicle& vehicle_;
+  const CostParams& params_;
+  std::vector<uint8_t> states_;
+  std::vector<float> prices_;
+  std::vector<float> speeds_;
+  std::vector<float> heights_;
+  std::vector<float> worst_;  //!< price of one rule, the worst of all maps
+};
+
+/** Height over the ground of what stands in a cell of a map that knows heights; NaN where it does
+ * not, or the cell is no obstacle by its traversability_class. */
+class ObstacleHeights
+{
+ public:
+  explicit ObstacleHeights(const layers::LayerSet& set);
+
+  bool areKnown() const { return classes_ != nullptr && top_ != nullptr; }
+
+  float at(size_t cell) const;
+
+ private:
+  const std::vector<uint8_t>* classes_;
+  const std::vector<float>* top_;
+  const std::vector<float>* bottom_;
+  const std::vector<float>* ground_;
+};
+}  // namespace traverse::navigation

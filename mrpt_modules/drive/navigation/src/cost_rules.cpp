@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/navigation/cost_rules.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace traverse::navigation
+{
+namespace
+{
+using geometry::Vehicle;
+using layers::OccupancyState;
+
+CellSays occupancy(double code, const Vehicle& /*vehicle*/, const CostParams& /*params*/)
+{
+  if (code == static_cast<double>(OccupancyState::free) ||
+      code == static_cast<double>(OccupancyState::overhang))
+  {
+    return {OccupancyState::free};
+  }
+  if (code == static_cast<double>(OccupancyState::obstacle))
+  {
+    return {OccupancyState::obstacle};
+  }
+  const bool is_negative = code == static_cast<double>(OccupancyState::negative);
+  return {is_negative ? OccupancyState::negative : OccupancyState::unknown};
+}
+
+CellSays traversability(double code, const Vehicle& /*vehicle*/, const CostParams& params)
+{
+  constexpr double kFlat = 1;
+  constexpr double kSmall = 2;
+  constexpr double kLarge = 3;
+  constexpr double kObstacle = 4;
+  if (code == kSmall || code == kLarge)
+  {
+    const double speed = code == kSmall ? params.small_roughness_mps : params.large_roughness_mps;
+    return {OccupancyState::free, 0, static_cast<float>(speed)};
+  }
+  if (code == kFlat)
+  {
+    return {OccupancyState::free};
+  }
+  return {code == kObstacle ? OccupancyState::obstacle : OccupancyState::unknown};
+}
+
+CellSays outline(double code, const Vehicle& /*vehicle*/, const CostParams& /*params*/)
+{
+  return {code != 0 && !std::isnan(code) ? OccupancyState::obstacle : OccupancyState::unknown};
+}
+
+/** A share of a price: nothing for NaN, all of it beyond 1. */
+CellSays priceOf(double share, double price)
+{
+  CellSays says;
+  says.price = share > 0 ? static_cast<float>(std::min(share, 1.0) * price) : 0;
+  return says;
+}
+
+CellSays index(double value, const Vehicle& /*vehicle*/, const CostParams& params)
+{
+  constexpr double kWorst = 100;
+  return priceOf(value / kWorst, params.index_price);
+}
+
+CellSays slope(double deg, const Vehicle& vehicle, const CostParams& params)
+{
+  constexpr double kLeast_deg = 1;  // a vehicle that takes no slope at all
+  return priceOf(deg / std::max(vehicle.max_slope_deg, kLeast_deg), params.slope_price);
+}
+
+constexpr std::array<LayerRule, 5> kRules = {
+    {{"occupancy_state", false, occupancy},
+     {"traversability_class", false, traversability},
+     {"guaranteed_outline", false, outline},
+     {"traversability_index", true, index},
+     {"slope_deg", true, slope}}};
+}  // namespace
+
+std::span<const LayerRule> layerRules()
+{
+  return kRules;
+}
+
+double hardBuffer_m(
+    const CostParams& params, const geometry::Vehicle& vehicle, const geometry::Lattice& lattice)
+{
+  if (params.hard_buffer_m > 0)
+  {
+    return params.hard_buffer_m;
+  }
+  const auto& ys = vehicle.footprint_ys_m;
+  const auto [right, left] = std::minmax_element(ys.begin(), ys.end());
+  const double width_m = ys.empty() ? 0 : *left - *right;
+  return width_m / 2 + lattice.cell_m() * std::sqrt(0.5);
+}
+}  // namespace traverse::navigation

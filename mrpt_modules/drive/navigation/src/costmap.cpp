@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cost_fields.h"
+#include "outline.h"
+
+#include <traverse/navigation/cost_rules.h>
+#include <traverse/navigation/costmap.h>
+
+#include <stdexcept>
+
+namespace traverse::navigation
+{
+namespace
+{
+using layers::BufferZone;
+using layers::OccupancyState;
+
+void checkExtent(const geometry::CellRect& extent)
+{
+  constexpr int64_t kMostCells = 4096;
+  const int64_t width = int64_t{extent.max.x} - extent.min.x;
+  const int64_t height = int64_t{extent.max.y} - extent.min.y;
+  if (width <= 0 || height <= 0 || width > kMostCells || height > kMostCells)
+  {
+    throw std::invalid_argument("a costmap has 1 to 4096 cells along its edges");
+  }
+}
+
+/** It stands there, so it can be driven over. */
+void openUnderVehicle(
+    const Costmap& costmap, const geometry::Vehicle& vehicle, std::vector<uint8_t>& states)
+{
+  const Outline outline(vehicle, costmap.stand);
+  const geometry::CellRect near = outline.cellsIn(costmap.lattice, costmap.extent);
+  for (geometry::CellIndex c = near.min; c.y < near.max.y; ++c.y)
+  {
+    for (c.x = near.min.x; c.x < near.max.x; ++c.x)
+    {
+      uint8_t& state = states[costmap.indexOf(c)];
+      if (state == static_cast<uint8_t>(OccupancyState::unknown) &&
+          outline.containsMiddle(costmap.lattice, c))
+      {
+        state = static_cast<uint8_t>(OccupancyState::free);
+      }
+    }
+  }
+}
+
+std::vector<uint8_t> zonesOf(
+    const Costmap& costmap,
+    const std::vector<uint8_t>& states,
+    const geometry::Vehicle& vehicle,
+    const CostParams& params)
+{
+  const layers::BufferParams buffer = {
+      costmap.lattice.cell_m(), hardBuffer_m(params, vehicle, costmap.lattice),
+      params.soft_buffer_m, params.strip};
+  if (!costmap.is_unknown_planned)
+  {
+    return layers::safetyBuffer(states, costmap.extent.width(), buffer);
+  }
+  // What is planned through must keep its distance in the unknown, too.
+  std::vector<uint8_t> as_free(states.size());
+  for (size_t i = 0; i < states.size(); ++i)
+  {
+    as_free[i] = states[i] == 0 ? static_cast<uint8_t>(OccupancyState::free) : states[i];
+  }
+  return layers::safetyBuffer(as_free, costmap.extent.width(), buffer);
+}
+
+Passage passageOf(uint8_t state, uint8_t zone)
+{
+  if (state >= static_cast<uint8_t>(OccupancyState::obstacle))
+  {
+    return Passage::obstacle;
+  }
+  if (zone == static_cast<uint8_t>(BufferZone::hard))
+  {
+    return Passage::hard;
+  }
+  if (zone == static_cast<uint8_t>(BufferZone::soft))
+  {
+    return Passage::soft;
+  }
+  return state == static_cast<uint8_t>(OccupancyState::unknown) ? Passage::unknown : Passage::open;
+}
+
+/** Passages, and what they and the unknown add to prices. */
+void setPassages(
+    Costmap& costmap,
+    const std::vector<uint8_t>& states,
+    const std::vector<uint8_t>& zones,
+    const CostParams& params)
+{
+  const auto soft = static_cast<float>(params.soft_price) - kLeastPrice;
+  const auto unseen = static_cast<float>(params.unknown_price) - kLeastPrice;
+  Passage* const passage = costmap.passage.data();
+  float* const price = costmap.price.data();
+  for (size_t i = 0; i < states.size(); ++i)
+  {
+    const Passage here = passageOf(states[i], zones[i]);
+    passage[i] = here;
+    price[i] += (here >= Passage::soft ? soft : 0.0F) + (states[i] == 0 ? unseen : 0.0F);
+  }
+}
+}  // namespace
+
+Costmap costmapOf(
+    std::span<const MapLayers> maps,
+    const geometry::Lattice& lattice,
+    const geometry::CellRect& extent,
+    const geometry::Pose2& stand,
+    const geometry::Vehicle& vehicle,
+    const CostParams& params)
+{
+  checkExtent(extent);
+  CostFields fields(maps, {lattice, extent}, vehicle, params);
+  Costmap costmap;
+  costmap.lattice = lattice;
+  costmap.extent = extent;
+  costmap.stand = stand;
+  costmap.is_unknown_planned = params.unknown == UnknownPolicy::costly;
+  costmap.price = fields.takePrices();
+  costmap.speed_mps = fields.takeSpeeds();
+  costmap.obstacle_m = fields.takeHeights();
+  costmap.passage.resize(costmap.price.size());
+  std::vector<uint8_t> states = fields.takeStates();
+  openUnderVehicle(costmap, vehicle, states);
+  setPassages(costmap, states, zonesOf(costmap, states, vehicle, params), params);
+  return costmap;
+}
+}  // namespace traverse::navigation

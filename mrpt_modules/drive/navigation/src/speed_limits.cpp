@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "speed_limits.h"
+
+#include <traverse/geometry/exact_trig.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace traverse::navigation
+{
+namespace
+{
+using geometry::CellIndex;
+using geometry::Drivetrain;
+
+constexpr double kGravity_mps2 = 9.81;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void lower(SpeedLimit& limit, double speed_mps, SpeedReason reason)
+{
+  if (speed_mps < limit.speed_mps)
+  {
+    limit = {speed_mps, reason};
+  }
+}
+
+/** Nothing where the place is no place. */
+std::optional<CellIndex> cellOf(const Costmap& costmap, const PathPoint& point)
+{
+  constexpr double kFarthest_m = 1e6;
+  const bool is_place =
+      std::abs(point.pose.x_m) <= kFarthest_m && std::abs(point.pose.y_m) <= kFarthest_m;
+  return is_place ? std::optional(costmap.cellAt(point.pose.x_m, point.pose.y_m)) : std::nullopt;
+}
+
+/** The sharper of the ways to and from a point. */
+double curvatureAt(const Path& path, size_t i)
+{
+  const double after = std::abs(path[i].curvature_1pm);
+  return i > 0 ? std::max(after, std::abs(path[i - 1].curvature_1pm)) : after;
+}
+
+double curveSpeed(double curvature_1pm, const Drivetrain& drivetrain, const Grip& grip)
+{
+  if (!(curvature_1pm > 0))
+  {
+    return kInfinity;
+  }
+  double speed = std::sqrt(grip.lateral_mps2 / curvature_1pm);
+  if (drivetrain.steering == geometry::Steering::differential)
+  {
+    const double turn_radps = drivetrain.max_yaw_rate_degps * geometry::kPi / 180;
+    speed = std::min(speed, turn_radps / curvature_1pm);
+  }
+  return speed;
+}
+
+/** Nobody has seen it, and it is more than a gap between beams. */
+bool isUnseen(const Costmap& costmap, CellIndex c)
+{
+  const auto is_unknown = [&](int32_t x, int32_t y) {
+    return costmap.passageAt({x, y}) == Passage::unknown;
+  };
+  return is_unknown(c.x, c.y) && (is_unknown(c.x - 1, c.y) || is_unknown(c.x + 1, c.y) ||
+                                  is_unknown(c.x, c.y - 1) || is_unknown(c.x, c.y + 1));
+}
+
+/** The speed from which it stops within a way: way = v reaction + v^2 / (2 brake). */
+double stoppingSpeed(double way_m, double brake_mps2, double reaction_s)
+{
+  const double lost = brake_mps2 * reaction_s;
+  return std::sqrt(lost * lost + 2 * brake_mps2 * std::max(way_m, 0.0)) - lost;
+}
+
+/** From the middle of a cell to that of the nearest hard buffer or obstacle, m; infinity where none
+ * is within reach. */
+double roomAt(const Costmap& costmap, CellIndex c, int32_t reach_cells)
+{
+  int64_t nearest = std::numeric_limits<int64_t>::max();
+  const geometry::CellRect around = geometry::intersection(
+      {{c.x - reach_cells, c.y - reach_cells}, {c.x + reach_cells + 1, c.y + reach_cells + 1}},
+      costmap.extent);
+  for (CellIndex h = around.min; h.y < around.max.y; ++h.y)
+  {
+    for (h.x = around.min.x; h.x < around.max.x; ++h.x)
+    {
+      const int64_t dx = int64_t{h.x} - c.x;
+      const int64_t dy = int64_t{h.y} - c.y;
+      if (dx * dx + dy * dy < nearest && costmap.passage[costmap.indexOf(h)] >= Passage::hard)
+      {
+        nearest = dx * dx + dy * dy;
+      }
+    }
+  }
+  return nearest == std::numeric_limits<int64_t>::max()
+             ? kInfinity
+             : std::sqrt(static_cast<double>(nearest)) * costmap.lattice.cell_m();
+}
+
+void limitByUnknown(
+    const Path& path,
+    const Costmap& costmap,
+    const Grip& grip,
+    const SpeedParams& params,
+    std::vector<SpeedLimit>& limits)
+{
+  double unknown_at_m = kInfinity;
+  for (size_t i = path.size(); i-- > 0;)
+  {
+    const std::optional<CellIndex> c = cellOf(costmap, path[i]);
+    unknown_at_m = !c || isUnseen(costmap, *c) ? path[i].along_m : unknown_at_m;
+    if (unknown_at_m < kInfinity)
+    {
+      lower(
+          limits[i],
+          stoppingSpeed(unknown_at_m - path[i].along_m, grip.brake_mps2, params.reaction_s),
+          SpeedReason::unknown);
+    }
+  }
+}
+
+void limitByCells(
+    const Path& path,
+    const Costmap& costmap,
+    const SpeedParams& params,
+    std::vector<SpeedLimit>& limits)
+{
+  constexpr double kMostRoom_m = 2;  // looking further is not worth its time
+  for (size_t i = 0; i < path.size(); ++i)
+  {
+    const std::optional<CellIndex> c = cellOf(costmap, path[i]);
+    if (!c || !costmap.extent.contains(*c))
+    {
+      continue;
+    }
+    lower(
+        limits[i], static_cast<double>(costmap.speed_mps[costmap.indexOf(*c)]),
+        SpeedReason::ground);
+    const double room_m = std::min(kMostRoom_m, limits[i].speed_mps * params.reaction_s);
+    const auto reach_cells = static_cast<int32_t>(room_m / costmap.lattice.cell_m());
+    if (params.reaction_s > 0)
+    {
+      lower(
+          limits[i], roomAt(costmap, *c, reach_cells) / params.reaction_s, SpeedReason::clearance);
+    }
+  }
+}
+}  // namespace
+
+Grip gripOf(const Drivetrain& drivetrain, const SpeedParams& params)
+{
+  const double sum = params.friction_margin * params.friction * kGravity_mps2;
+  return {std::min(drivetrain.max_decel_mps2, sum), std::min(params.lateral_accel_mps2, sum), sum};
+}
+
+std::vector<SpeedLimit> limitsByPlace(
+    const Path& path,
+    const Costmap& costmap,
+    const Drivetrain& drivetrain,
+    const SpeedParams& params)
+{
+  const Grip grip = gripOf(drivetrain, params);
+  std::vector<SpeedLimit> limits(path.size());
+  for (size_t i = 0; i < path.size(); ++i)
+  {
+    limits[i].speed_mps =
+        path[i].is_backward ? drivetrain.max_reverse_mps : drivetrain.max_speed_mps;
+    lower(limits[i], curveSpeed(curvatureAt(path, i), drivetrain, grip), SpeedReason::curve);
+  }
+  limitByUnknown(path, costmap, grip, params, limits);
+  limitByCells(path, costmap, params, limits);
+  for (size_t i = 0; i < path.size(); ++i)
+  {
+    const double most = path[i].is_backward ? drivetrain.max_reverse_mps : drivetrain.max_speed_mps;
+    limits[i].speed_mps = std::max(limits[i].speed_mps, std::min(params.creep_mps, most));
+    const bool turns_round = i > 0 && path[i].is_backward != path[i - 1].is_backward;
+    if (i + 1 == path.size() || turns_round)
+    {
+      limits[i] = {0, SpeedReason::end};
+    }
+  }
+  return limits;
+}
+}  // namespace traverse::navigation

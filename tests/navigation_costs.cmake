@@ -1,0 +1,7 @@
+# SPDX-FileCopyrightText: 2026 the Traverse authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Tests of drive/navigation: costs, obstacles, speeds, watchdogs.
+traverse_test(unit costmap_test USES navigation)
+traverse_test(unit explain_cost_test USES navigation)
+traverse_test(unit obstacle_points_test USES navigation)
+traverse_test(property costmap_property_test USES navigation)
