@@ -24,11 +24,12 @@ struct Goal
 /** A way, or why there is none. */
 struct Plan
 {
-  Path path;         //!< empty: there is none
-  double price = 0;  //!< sum of metres times price (kLeastPrice) along it
-  bool is_whole =
-      false;            //!< it ends at the goal; otherwise at the window's border on the way there
-  std::string why_not;  //!< for people, where there is no path
+  Path path;              //!< empty: there is none
+  double price = 0;       //!< sum of metres times price (kLeastPrice) along it
+  double way_out_m = 0;   //!< so much of its beginning leads out of hard cells
+  bool is_whole = false;  //!< it ends at the goal; otherwise where the known ends on the way there
+  bool heeds_footprint = false;  //!< the whole footprint keeps off obstacle cells (hybrid)
+  std::string why_not;           //!< for people, where there is no path
 };
 
 /** Plans in a costmap. Keeps its memory from one plan to the next.
@@ -41,8 +42,11 @@ struct Plan
  * obstacle cells along every arc.
  *
  * Obstacle and hard cells are never passed; soft ones only where the start or the goal lies in one,
- * at CostParams::soft_price, to get out or in. A goal outside the costmap is replaced by the
- * cheapest cell of the border towards it (is_whole = false). */
+ * at CostParams::soft_price, to get out or in. A vehicle that stands in hard cells is led away from
+ * what they surround, and obstacle cells under it where it stands are no hindrance: noise must not
+ * hold it for good. A goal outside the costmap, or in unknown cells that are not planned through,
+ * is replaced by the cell of the border, or beside such unknown cells, from which the way there
+ * plus the straight line beyond is cheapest (is_whole = false). */
 class Planner
 {
  public:
@@ -69,12 +73,13 @@ enum class Replan : uint8_t
   first,     //!< there is none yet, or it belongs to another goal
   blocked,   //!< it crosses a hard buffer or an obstacle ahead (and not, if it clips a soft one)
   strayed,   //!< the vehicle is further than PlanParams::stray_m from it
-  finished,  //!< it ended before the goal, and the vehicle is near its end
+  finished,  //!< it ends before the goal, and no more than its last quarter is left
 };
 
 /** Spec 5: a path that only clips soft buffers is kept. Looks at what is ahead of `pose`, as far as
- * the costmap reaches; of a car-like vehicle's path, at hard cells under its middle and obstacle
- * cells under its footprint. */
+ * the costmap reaches: at hard and obstacle cells under the vehicle's middle (but for
+ * Plan::way_out_m) and, where the plan heeds it, at obstacle cells under its footprint (but for
+ * those under it at `pose`). That the goal is another one, the caller knows. */
 Replan needsNewPlan(
     const Costmap& costmap,
     const geometry::Vehicle& vehicle,

@@ -1,0 +1,7 @@
+# SPDX-FileCopyrightText: 2026 the Traverse authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Tests of how ways are found.
+traverse_test(oracle price_field_test USES navigation)
+traverse_test(unit planner_test USES navigation)
+traverse_test(unit replan_test USES navigation)
+traverse_test(property grid_plan_test USES navigation)
