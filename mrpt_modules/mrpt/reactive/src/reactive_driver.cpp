@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "navigator_ini.h"
+#include "senses_interface.h"
+#include "simulated_clock.h"
+#include "watched_navigator.h"
+
+#include <traverse/reactive/reactive_driver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <stdexcept>
+
+namespace traverse::reactive
+{
+namespace
+{
+bool isFinite(const Senses& senses)
+{
+  return std::isfinite(senses.pose.x_m) && std::isfinite(senses.pose.y_m) &&
+         std::isfinite(senses.pose.yaw_rad) && std::isfinite(senses.motion.speed_mps) &&
+         std::isfinite(senses.motion.yaw_rate_radps);
+}
+
+/** Why it finds no motion, or gave up. */
+std::string whyNot(const StepEvents& events, size_t obstacles)
+{
+  if (events.target_blocked)
+  {
+    return "an obstacle stands on the place that it drives to";
+  }
+  if (events.way_blocked)
+  {
+    return "it has come no nearer to the place that it drives to for 30 s";
+  }
+  if (events.touches)
+  {
+    return fmt::format("one of {} obstacle points lies in the vehicle's outline", obstacles);
+  }
+  return fmt::format("no trajectory is free, among {} obstacle points", obstacles);
+}
+}  // namespace
+
+class ReactiveDriver::Impl
+{
+ public:
+  Impl(
+      const geometry::Vehicle& vehicle,
+      const geometry::Drivetrain& drivetrain,
+      const ReactiveParams& params,
+      const std::filesystem::path& cache,
+      const std::filesystem::path& log_folder) :
+      drivetrain_(drivetrain),
+      params_(params),
+      ini_(reactive::navigatorIni(vehicle, drivetrain, params)),
+      senses_(vehicle.height_m),
+      navigator_(makeNavigator(params.navigator, ini_, cache, senses_))
+  {
+    if (!log_folder.empty())
+    {
+      writeLog(*navigator_, log_folder);
+    }
+  }
+
+  void follow(const std::vector<Eigen::Vector2d>& places)
+  {
+    for (const Eigen::Vector2d& place : places)
+    {
+      if (!place.allFinite())
+      {
+        throw std::invalid_argument("a place to drive to is not finite");
+      }
+    }
+    places_ = places;
+    next_ = 0;
+    is_sent_ = false;
+    has_arrived_ = false;
+  }
+
+  Command step(const Senses& senses)
+  {
+    if (places_.empty())
+    {
+      return {{}, Outcome::idle, "there is nothing to follow"};
+    }
+    if (has_arrived_)
+    {
+      return {{}, Outcome::arrived, ""};
+    }
+    if (!isFinite(senses))
+    {
+      return {{}, Outcome::failed, "the pose or motion is not finite"};
+    }
+    if (last_time_ && senses.now <= *last_time_)
+    {
+      navigator_->forgetPoses();
+    }
+    last_time_ = senses.now;
+    const SimulatedClock clock(senses.now);
+    senses_.show(senses);
+    return outcomeOf(navigate(), senses);
+  }
+
+  const std::string& ini() const { return ini_; }
+
+ private:
+  /** One step of MRPT's navigator; what it threw or stopped for. */
+  std::string navigate()
+  {
+    auto& navigator = navigator_->mrptNavigator();
+    try
+    {
+      if (!is_sent_)
+      {
+        send(navigator);
+      }
+      navigator.navigationStep();
+    }
+    catch (const std::exception& error)
+    {
+      return error.what();
+    }
+    if (senses_.events().reached >= 0)
+    {
+      next_ = sent_from_ + static_cast<size_t>(senses_.events().reached) + 1;
+    }
+    return senses_.events().error;
+  }
+
+  void send(mrpt::nav::CAbstractPTGBasedReactive& navigator)
+  {
+    mrpt::nav::TWaypointSequence sequence;
+    for (size_t n = next_; n < places_.size(); ++n)
+    {
+      const bool is_last = n + 1 == places_.size();
+      sequence.waypoints.emplace_back(
+          places_[n].x(), places_[n].y(),
+          is_last ? params_.goal_tolerance_m : params_.waypoint_tolerance_m, false);
+    }
+    navigator.cancel();
+    navigator.resetNavError();
+    navigator.navigateWaypoints(sequence);
+    sent_from_ = next_;
+    is_sent_ = true;
+  }
+
+  Command outcomeOf(const std::string& error, const Senses& senses)
+  {
+    const StepEvents& events = senses_.events();
+    const auto& navigator = navigator_->mrptNavigator();
+    if (events.has_ended || next_ >= places_.size())
+    {
+      has_arrived_ = true;
+      return {{}, Outcome::arrived, ""};
+    }
+    if (!error.empty() || navigator.getCurrentState() == mrpt::nav::CAbstractNavigator::NAV_ERROR)
+    {
+      is_sent_ = false;
+      return {{}, Outcome::failed, error.empty() ? whyNot(events, senses.obstacles.size()) : error};
+    }
+    if (!events.twist)
+    {
+      return {{}, Outcome::no_motion, whyNot(events, senses.obstacles.size())};
+    }
+    return {held(*events.twist, senses.speed_limit_mps), Outcome::driving, ""};
+  }
+
+  /** Slowed down along its arc to what is allowed, and turning no tighter than a car can. */
+  geometry::Twist2 held(geometry::Twist2 twist, double limit_mps) const
+  {
+    const double own_mps =
+        twist.speed_mps < 0 ? drivetrain_.max_reverse_mps : drivetrain_.max_speed_mps;
+    const double most_mps = limit_mps > 0 ? std::min(limit_mps, own_mps) : 0.0;  // NaN stands too
+    const double speed_mps = std::abs(twist.speed_mps);
+    if (speed_mps > most_mps)
+    {
+      twist.yaw_rate_radps *= most_mps / speed_mps;
+      twist.speed_mps *= most_mps / speed_mps;
+    }
+    if (drivetrain_.steering == geometry::Steering::ackermann)
+    {
+      const double turn = std::abs(twist.speed_mps) / geometry::minTurningRadius_m(drivetrain_);
+      twist.yaw_rate_radps = std::clamp(twist.yaw_rate_radps, -turn, turn);
+    }
+    return twist;
+  }
+
+  geometry::Drivetrain drivetrain_;
+  ReactiveParams params_;
+  std::string ini_;
+  SensesInterface senses_;
+  std::unique_ptr<WatchedNavigator> navigator_;
+  std::vector<Eigen::Vector2d> places_;
+  size_t next_ = 0;       // of places_, where it drives to
+  size_t sent_from_ = 0;  // of places_, the first that MRPT's navigator has
+  bool is_sent_ = false;
+  bool has_arrived_ = false;
+  std::optional<poses::TimeNs> last_time_;
+};
+
+ReactiveDriver::ReactiveDriver(
+    const geometry::Vehicle& vehicle,
+    const geometry::Drivetrain& drivetrain,
+    const ReactiveParams& params,
+    const std::filesystem::path& cache,
+    const std::filesystem::path& log_folder) :
+    impl_(std::make_unique<Impl>(vehicle, drivetrain, params, cache, log_folder))
+{
+}
+
+ReactiveDriver::~ReactiveDriver() = default;
+ReactiveDriver::ReactiveDriver(ReactiveDriver&&) noexcept = default;
+ReactiveDriver& ReactiveDriver::operator=(ReactiveDriver&&) noexcept = default;
+
+void ReactiveDriver::follow(const std::vector<Eigen::Vector2d>& places)
+{
+  impl_->follow(places);
+}
+
+Command ReactiveDriver::step(const Senses& senses)
+{
+  return impl_->step(senses);
+}
+
+const std::string& ReactiveDriver::navigatorIni() const
+{
+  return impl_->ini();
+}
+}  // namespace traverse::reactive

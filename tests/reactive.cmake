@@ -1,0 +1,2 @@
+# Tests of mrpt/reactive.
+traverse_test(integration reactive_drive_test USES reactive)
