@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "navigator_ini.h"
+#include "places.h"
 #include "senses_interface.h"
 #include "simulated_clock.h"
 #include "watched_navigator.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
-#include <stdexcept>
 
 namespace traverse::reactive
 {
@@ -66,15 +66,9 @@ class ReactiveDriver::Impl
 
   void follow(const std::vector<Eigen::Vector2d>& places)
   {
-    for (const Eigen::Vector2d& place : places)
-    {
-      if (!place.allFinite())
-      {
-        throw std::invalid_argument("a place to drive to is not finite");
-      }
-    }
-    places_ = places;
-    next_ = 0;
+    places_ = Places(
+        places, geometry::minTurningRadius_m(drivetrain_),
+        params_.waypoint_spacing_m + params_.waypoint_tolerance_m);
     is_sent_ = false;
     has_arrived_ = false;
   }
@@ -98,6 +92,10 @@ class ReactiveDriver::Impl
       navigator_->forgetPoses();
     }
     last_time_ = senses.now;
+    if (places_.goOn(senses.pose))
+    {
+      is_sent_ = false;
+    }
     const SimulatedClock clock(senses.now);
     senses_.show(senses);
     return outcomeOf(navigate(), senses);
@@ -124,7 +122,7 @@ class ReactiveDriver::Impl
     }
     if (senses_.events().reached >= 0)
     {
-      next_ = sent_from_ + static_cast<size_t>(senses_.events().reached) + 1;
+      places_.setNext(sent_from_ + static_cast<size_t>(senses_.events().reached) + 1);
     }
     return senses_.events().error;
   }
@@ -132,7 +130,7 @@ class ReactiveDriver::Impl
   void send(mrpt::nav::CAbstractPTGBasedReactive& navigator)
   {
     mrpt::nav::TWaypointSequence sequence;
-    for (size_t n = next_; n < places_.size(); ++n)
+    for (size_t n = places_.next(); n < places_.size(); ++n)
     {
       const bool is_last = n + 1 == places_.size();
       sequence.waypoints.emplace_back(
@@ -142,7 +140,7 @@ class ReactiveDriver::Impl
     navigator.cancel();
     navigator.resetNavError();
     navigator.navigateWaypoints(sequence);
-    sent_from_ = next_;
+    sent_from_ = places_.next();
     is_sent_ = true;
   }
 
@@ -150,7 +148,7 @@ class ReactiveDriver::Impl
   {
     const StepEvents& events = senses_.events();
     const auto& navigator = navigator_->mrptNavigator();
-    if (events.has_ended || next_ >= places_.size())
+    if (events.has_ended || places_.isOver())
     {
       has_arrived_ = true;
       return {{}, Outcome::arrived, ""};
@@ -192,8 +190,7 @@ class ReactiveDriver::Impl
   std::string ini_;
   SensesInterface senses_;
   std::unique_ptr<WatchedNavigator> navigator_;
-  std::vector<Eigen::Vector2d> places_;
-  size_t next_ = 0;       // of places_, where it drives to
+  Places places_;
   size_t sent_from_ = 0;  // of places_, the first that MRPT's navigator has
   bool is_sent_ = false;
   bool has_arrived_ = false;

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/geometry/pose2.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace traverse::reactive
+{
+/** The places of a plan, and which of them is next. MRPT's navigators drive to each of them, back
+ * too where they have missed one; here a place counts as passed where driving back makes no sense.
+ */
+class Places
+{
+ public:
+  Places() = default;
+
+  /** turning_radius_m: smallest of the vehicle; near_m: further off, a place is not passed. Throws
+   * std::invalid_argument where a place is not finite. */
+  Places(std::vector<Eigen::Vector2d> places, double turning_radius_m, double near_m);
+
+  bool empty() const { return places_.empty(); }
+
+  bool isOver() const { return next_ >= places_.size(); }
+
+  size_t next() const { return next_; }
+
+  size_t size() const { return places_.size(); }
+
+  const Eigen::Vector2d& operator[](size_t n) const { return places_[n]; }
+
+  void setNext(size_t next) { next_ = next; }
+
+  /** Goes on to the next place that still lies before the vehicle; the last one is never passed
+   * so. Returns whether the next place is another one now. */
+  bool goOn(const geometry::Pose2& pose);
+
+ private:
+  bool isPassed(size_t n, const geometry::Pose2& pose) const;
+
+  std::vector<Eigen::Vector2d> places_;
+  size_t next_ = 0;
+  double turning_radius_m_ = 0;
+  double near_m_ = 0;
+};
+}  // namespace traverse::reactive
