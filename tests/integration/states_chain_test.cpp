@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// traverse-sim -> traverse-map (ini/multi_lidar.ini) -> traverse-evaluate: a map of states.
+// traverse-sim -> traverse-map (ini/multi_lidar.ini) -> traverse-evaluate: a map of states, the
+// same for any number of threads.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <support/scratch_folder.h>
 #include <support/traverse_evaluate.h>
@@ -32,25 +35,68 @@ constexpr const char* kYard =
     "pitch_deg = 12\nstart_s = 0.04\n"
     "[Ins]\nnoise_z_m = 0.005\n";
 
-TEST(StatesChain, AMapOfStatesIsHeldAgainstTheTrueStates)
+class StatesChain : public ::testing::Test
 {
-  const ScratchFolder scratch;
-  const auto scene = scratch.path() / "yard.ini";
-  const auto world = scratch.path() / "world";
-  const auto run_folder = scratch.path() / "run";
-  formats::writeFile(scene, kYard);
-  const Finished simulated =
-      run({std::string(TRAVERSE_BINARY_DIR) + "/bin/traverse-sim", scene.string(), "--seed", "1",
-           "--output", world.string()},
-          {"DISPLAY="});
-  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
-  const Finished mapped = traverseMap(
-      {ini("multi_lidar"), "--rawlog", world / "log.rawlog", "--output", run_folder, "--set",
-       "traverse-map.pictures=false", "--set", "traverse-map.scene=false", "--set",
-       "traverse-map.snapshot_every_s=0.2", "--set", "traverse-map.snapshot_classes=true"});
-  ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
+ protected:
+  void simulate(const std::vector<std::string>& more = {}) const
+  {
+    formats::writeFile(scratch_ / "yard.ini", kYard);
+    std::vector<std::string> command = {
+        std::string(TRAVERSE_BINARY_DIR) + "/bin/traverse-sim",
+        scratch_ / "yard.ini",
+        "--seed",
+        "1",
+        "--output",
+        world()};
+    command.insert(command.end(), more.begin(), more.end());
+    const Finished simulated = run(command, {"DISPLAY="});
+    ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  }
 
-  const Finished evaluated = traverseEvaluate({run_folder.string(), world.string()});
+  void map(const std::string& folder, const std::vector<std::string>& settings) const
+  {
+    std::vector<std::string> arguments = {
+        ini("multi_lidar"), "--rawlog", world() + "/log.rawlog", "--output", scratch_ / folder};
+    for (const char* setting : {"traverse-map.pictures=false", "traverse-map.scene=false"})
+    {
+      arguments.insert(arguments.end(), {"--set", setting});
+    }
+    for (const std::string& setting : settings)
+    {
+      arguments.insert(arguments.end(), {"--set", setting});
+    }
+    const Finished mapped = traverseMap(arguments);
+    ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
+  }
+
+  std::string world() const { return scratch_ / "world"; }
+
+  ScratchFolder scratch_;
+};
+
+/** All files of a run's folder but those that hold times of the run and its options. */
+std::map<std::string, std::string> resultsIn(const std::filesystem::path& folder)
+{
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    const std::string name = entry.path().filename();
+    if (name != "metrics.json" && name != "report.html" && name != "config.ini")
+    {
+      files[name] = readText(entry.path());
+    }
+  }
+  return files;
+}
+
+TEST_F(StatesChain, AMapOfStatesIsHeldAgainstTheTrueStates)
+{
+  ASSERT_NO_FATAL_FAILURE(simulate());
+  ASSERT_NO_FATAL_FAILURE(
+      map("run", {"traverse-map.snapshot_every_s=0.2", "traverse-map.snapshot_classes=true"}));
+  const std::filesystem::path run_folder = scratch_ / "run";
+
+  const Finished evaluated = traverseEvaluate({run_folder.string(), world()});
   ASSERT_EQ(evaluated.exit_code, 0) << evaluated.err;
   const auto map = nlohmann::json::parse(evaluated.out)["maps"][0];
   EXPECT_FALSE(map.contains("classes"));
@@ -74,5 +120,32 @@ TEST(StatesChain, AMapOfStatesIsHeldAgainstTheTrueStates)
   const std::string report = readText(run_folder / "report.html");
   EXPECT_THAT(report, HasSubstr("Obstacles, ditches, and what is free"));
   EXPECT_THAT(report, Not(HasSubstr("Cells by true class")));
+}
+
+/** Two maps, so that a third thread has work; clouds that come late and have a clock of their own.
+ */
+TEST_F(StatesChain, ThreadsDoNotMatter)
+{
+  ASSERT_NO_FATAL_FAILURE(simulate(
+      {"--set", "Drive.duration_s=1.5", "--set", "Lidar_01.clock_offset_s=0.08", "--set",
+       "Lidar_01.late_s=0.15"}));
+  for (const char* threads : {"1", "2", "3"})
+  {
+    ASSERT_NO_FATAL_FAILURE(map(
+        threads,
+        {std::string("traverse-map.threads=") + threads, "Maps.CWrappableMultiLidarGrid_count=2",
+         "Maps_CWrappableMultiLidarGrid_01_insertOpts.cells=paper"}));
+  }
+  const auto one = resultsIn(scratch_ / "1");
+  for (const char* name :
+       {"map.traverse", "occupancy_state.tif", "sensor_mask.tif", "safety_buffer.tif",
+        "map_01.traverse", "occupancy_state_01.tif"})
+  {
+    EXPECT_EQ(one.count(name), 1U) << name;
+  }
+  EXPECT_EQ(metricsOf(scratch_ / "1")["maps"][0]["scans"], metricsOf(scratch_ / "1")["scans"]);
+  EXPECT_NE(one.at("map_01.traverse"), one.at("map.traverse"));
+  EXPECT_TRUE(resultsIn(scratch_ / "2") == one);
+  EXPECT_TRUE(resultsIn(scratch_ / "3") == one);
 }
 }  // namespace
