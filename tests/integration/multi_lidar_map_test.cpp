@@ -88,6 +88,8 @@ TEST(MultiLidarMap, RefusesWhatItsSectionsShouldNotHave)
       refusal(kOneMap + kOptions + "sensor_labels = a b\nsensor_ranges_m = 20\n"),
       HasSubstr("one for each of sensor_labels"));
   EXPECT_THAT(
+      refusal(kOneMap + kOptions + "sensor_labels = a b a\n"), HasSubstr("each label once"));
+  EXPECT_THAT(
       refusal(kOneMap + kOptions + "window_m = 2000\ncell_size_m = 0.02\n"), HasSubstr("4096"));
   EXPECT_THAT(
       refusal(kOneMap + "[map_CWrappableMultiLidarGrid_00_octomapOpts]\nresolution_m = 1\n"),
@@ -125,6 +127,21 @@ TEST(MultiLidarMap, WarnsOfASensorThatFellSilent)
   insert(map, "roof", 9.0);
   ASSERT_EQ(map.warnings().size(), 1U);
   EXPECT_THAT(map.warnings()[0], HasSubstr("is dead"));
+}
+
+TEST(MultiLidarMap, WarnsOfLabelsOfWhichNoCloudCame)
+{
+  CWrappableMultiLidarGrid map;
+  map.insertionOptions.sensor_labels = "roof rihgt";
+  map.insertionOptions.clearing_labels = "ROOF";
+  EXPECT_THAT(map.warnings(), IsEmpty()) << "before the first cloud";
+  insert(map, "roof", 0.0);
+  insert(map, "right", 0.0);
+  ASSERT_EQ(map.warnings().size(), 2U);
+  EXPECT_THAT(
+      map.warnings()[0],
+      AllOf(HasSubstr("sensor_labels names 'rihgt'"), HasSubstr("clouds came of 'roof', 'right'")));
+  EXPECT_THAT(map.warnings()[1], HasSubstr("clearing_labels names 'ROOF'"));
 }
 
 TEST(MultiLidarMap, WarnsOfCloudsThatCameTooLate)

@@ -5,6 +5,7 @@
 #include <traverse/maps/CWrappableMultiLidarGrid.h>
 #include <traverse/options/untrusted_text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -31,11 +32,37 @@ std::string meaningOf(Health health)
   }
   return "";
 }
+
+/** Labels of an option that no sensor has, of which clouds came: misspelt, or the log lacks it. */
+void warnOfAbsent(
+    std::string_view key,
+    std::string_view labels,
+    const multi_lidar_grid::Sensors& sensors,
+    std::vector<std::string>& texts)
+{
+  std::string came;
+  for (const Sensor& sensor : sensors.all())
+  {
+    came += (came.empty() ? "" : ", ") + fmt::format("'{}'", options::printable(sensor.label));
+  }
+  for (const std::string_view label : multi_lidar_grid::labelsIn(labels))
+  {
+    const auto has_it = [&](const Sensor& sensor) { return sensor.label == label; };
+    if (!came.empty() && std::none_of(sensors.all().begin(), sensors.all().end(), has_it))
+    {
+      texts.push_back(fmt::format(
+          "{} names '{}', of which no cloud came; clouds came of {}", key,
+          options::printable(label), came));
+    }
+  }
+}
 }  // namespace
 
 std::vector<std::string> CWrappableMultiLidarGrid::warnings() const
 {
   std::vector<std::string> texts;
+  warnOfAbsent("sensor_labels", made_with_.sensor_labels, state_.sensors, texts);
+  warnOfAbsent("clearing_labels", made_with_.clearing_labels, state_.sensors, texts);
   for (const Sensor& sensor : state_.sensors.all())
   {
     const std::string name = fmt::format("sensor '{}'", options::printable(sensor.label));
@@ -59,8 +86,7 @@ std::vector<std::string> CWrappableMultiLidarGrid::warnings() const
     {
       texts.push_back(fmt::format(
           "{}: {} clouds were refused: later than order_window_s = {} s, or always the same while "
-          "the "
-          "vehicle moved",
+          "the vehicle moved",
           name, sensor.refused, made_with_.order_window_s));
     }
   }

@@ -12,19 +12,6 @@ namespace
 {
 constexpr double kMostCells = 4096;
 
-std::vector<std::string_view> words(std::string_view list)
-{
-  std::vector<std::string_view> found;
-  for (size_t at = list.find_first_not_of(' '); at != std::string_view::npos;
-       at = list.find_first_not_of(' ', at))
-  {
-    const size_t end = std::min(list.find(' ', at), list.size());
-    found.push_back(list.substr(at, end - at));
-    at = end;
-  }
-  return found;
-}
-
 void checkLength(std::string_view key, const std::vector<double>& values, size_t labels)
 {
   if (!values.empty() && values.size() != labels)
@@ -36,7 +23,13 @@ void checkLength(std::string_view key, const std::vector<double>& values, size_t
 
 void checkLists(const Params& p)
 {
-  const size_t labels = words(p.sensor_labels).size();
+  std::vector<std::string_view> each = labelsIn(p.sensor_labels);
+  const size_t labels = each.size();
+  std::sort(each.begin(), each.end());
+  if (std::adjacent_find(each.begin(), each.end()) != each.end())
+  {
+    throw options::OptionError("sensor_labels", p.sensor_labels, "each label once");
+  }
   checkLength("sensor_ranges_m", p.sensor_ranges_m, labels);
   checkLength("sensor_first_azimuths_deg", p.sensor_first_azimuths_deg, labels);
   checkLength("sensor_last_azimuths_deg", p.sensor_last_azimuths_deg, labels);
@@ -65,6 +58,19 @@ bool contains(const std::vector<std::string_view>& list, std::string_view label)
 }
 }  // namespace
 
+std::vector<std::string_view> labelsIn(std::string_view list)
+{
+  std::vector<std::string_view> found;
+  for (size_t at = list.find_first_not_of(' '); at != std::string_view::npos;
+       at = list.find_first_not_of(' ', at))
+  {
+    const size_t end = std::min(list.find(' ', at), list.size());
+    found.push_back(list.substr(at, end - at));
+    at = end;
+  }
+  return found;
+}
+
 void check(const Params& params, const geometry::Vehicle& vehicle)
 {
   options::check(params);
@@ -87,8 +93,8 @@ SensorParams sensorParams(const Params& params, std::string_view label)
   SensorParams sensor;
   sensor.range_m = params.max_range_m;
   sensor.timeout_s = params.timeout_s;
-  sensor.clears_without_return = contains(words(params.clearing_labels), label);
-  const std::vector<std::string_view> labels = words(params.sensor_labels);
+  sensor.clears_without_return = contains(labelsIn(params.clearing_labels), label);
+  const std::vector<std::string_view> labels = labelsIn(params.sensor_labels);
   const auto found = std::find(labels.begin(), labels.end(), label);
   if (found == labels.end())
   {

@@ -87,8 +87,7 @@ void visitCells(P& p, F&& f)
       Option{
           "cells",
           "a cell is an obstacle by its returns' heights above the ground, or by their spread "
-          "alone "
-          "(paper 5)"},
+          "alone (paper 5)"},
       p.cells);
   f(
       Option{
@@ -140,8 +139,7 @@ void visitSensors(P& p, F&& f)
       Option{
           "sensor_first_azimuths_deg",
           "field of view of each of them in its own frame, counter-clockwise from here, deg; "
-          "empty: "
-          "a full turn",
+          "empty: a full turn",
           {-360, 360}},
       p.sensor_first_azimuths_deg);
   f(Option{"sensor_last_azimuths_deg", "... to here, deg", {-360, 360}},
@@ -237,9 +235,11 @@ void visit(const Params& p, F&& f)
   visitBuffer(p, f);
 }
 
+std::vector<std::string_view> labelsIn(std::string_view list);  //!< blanks between; views into it
+
 /** Throws OptionError where a member is out of its range or members contradict each other: lists of
- * another length than sensor_labels, a window of too many cells, a vehicle that is no higher than
- * obstacle_height_m. */
+ * other lengths, a label there twice, too many cells, a vehicle no higher than obstacle_height_m.
+ */
 void check(const Params& params, const geometry::Vehicle& vehicle);
 
 /** What the options say of one sensor. */
