@@ -15,7 +15,7 @@ traverse_test(integration traversability_map_test
   USES plugin traversability_grid config observations formats LIBS mrpt::maps mrpt::obs)
 traverse_test(integration traversability_likelihood_test
   USES plugin traversability_grid observations LIBS mrpt::maps mrpt::obs)
-traverse_test(integration stock_programs_test USES traversability_grid)
+traverse_test(integration stock_programs_test USES traversability_grid multi_lidar_grid)
 add_dependencies(integration_stock_programs_test traverse_plugin)
 
 # An outside project finds, links and runs the installed package.
@@ -23,5 +23,5 @@ add_test(NAME install_outside_project COMMAND ${CMAKE_COMMAND}
   -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR} -DWORK=${PROJECT_BINARY_DIR}/install_test
   -P ${CMAKE_CURRENT_LIST_DIR}/install/outside_test.cmake)
 set_tests_properties(install_outside_project PROPERTIES LABELS "install;default" TIMEOUT 600)
-traverse_test(integration stock_viewers_test USES plugin layers traversability_grid observations
+traverse_test(integration stock_viewers_test USES plugin layers traversability_grid multi_lidar_grid observations
   LIBS mrpt::maps mrpt::obs mrpt::opengl SLOW SERIAL)
