@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/formats/archive.h>
-#include <traverse/formats/option_bytes.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+#include <support/forged_multi_lidar_map.h>
 #include <support/occupancy_pictures.h>
 #include <support/refusal.h>
 
@@ -16,8 +16,7 @@ namespace
 using namespace traverse;
 using namespace traverse::testing;
 using namespace traverse::multi_lidar_grid;
-using formats::ByteWriter;
-using formats::FormatError;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /** Random cells around a far place, seen by two sensors. */
@@ -97,6 +96,15 @@ TEST(MultiLidarArchive, HoldsKnownCellsOnly)
   EXPECT_EQ(bytesOf(map).size() - one, 25U) << "a run's second cell needs no place of its own";
 }
 
+TEST(MultiLidarArchive, OfANewerVersionIsRefusedByBothNumbers)
+{
+  formats::ArchiveWriter writer{std::string(kArchiveKind), kArchiveVersion + 7};
+  EXPECT_THAT(
+      refusal(writer.finish()), AllOf(
+                                    HasSubstr(std::to_string(kArchiveVersion + 7)),
+                                    HasSubstr(std::to_string(kArchiveVersion))));
+}
+
 TEST(MultiLidarArchive, EverySeventhTruncationIsRefused)
 {
   const std::string bytes = bytesOf(sample());
@@ -120,104 +128,6 @@ TEST(MultiLidarArchive, EveryFlippedBitIsRefused)
   }
   EXPECT_EQ(refusal(bytes), "accepted");
 }
-
-/** The sections of an archive of two cells, to be falsified with good checksums. */
-struct Forgery
-{
-  Params params = smallMap().params;
-  geometry::Vehicle vehicle;
-  int32_t cell_mm = 500;
-  int32_t edge = 20;
-  int32_t min_x = -5;
-  int64_t now = 0;
-  uint8_t has_robot = 1;
-  double pose_scale = 1;
-  uint32_t sensors = 1;
-  std::vector<std::string> labels = {"roof"};
-  double period_s = 0.1;
-  double offset_s = 0;
-  double repeats_at_m = 0;
-  int32_t x = 3;
-  uint32_t run = 2;
-  int copies = 1;
-  uint8_t state = 2;
-  uint32_t seen_by = 1;
-  int64_t last_seen = 0;
-
-  std::string gridSection() const
-  {
-    ByteWriter grid;
-    for (const int32_t value : {cell_mm, edge, min_x, -5})
-    {
-      grid.i32(value);
-    }
-    grid.i64(now);
-    grid.i64(0);
-    grid.u8(has_robot);
-    grid.i64(0);
-    for (int i = 0; i < 12; ++i)
-    {
-      grid.f64(i % 5 == 0 ? pose_scale : 0);
-    }
-    return grid.take();
-  }
-
-  std::string sensorSection() const
-  {
-    ByteWriter out;
-    out.u32(sensors);
-    for (const std::string& label : labels)
-    {
-      out.str(label);
-      out.i64(0);
-      out.f64(period_s);
-      out.u64(1);
-      out.u64(0);
-      out.u64(0);
-      out.u32(0);
-      for (int i = 0; i < 3; ++i)
-      {
-        out.f64(repeats_at_m);
-      }
-      out.f64(offset_s);
-    }
-    return out.take();
-  }
-
-  std::string cellSection() const
-  {
-    ByteWriter out;
-    for (int copy = 0; copy < copies; ++copy)
-    {
-      out.i32(x);
-      out.i32(0);
-      out.u32(run);
-      for (int i = 0; i < 2; ++i)
-      {
-        out.u8(state);
-        out.u8(0);
-        out.u8(0);
-        out.u8(0);
-        out.u8(0);
-        out.u32(seen_by);
-        out.i64(0);
-        out.i64(last_seen);
-      }
-    }
-    return out.take();
-  }
-
-  std::string bytes() const
-  {
-    formats::ArchiveWriter writer{std::string(kArchiveKind), kArchiveVersion};
-    writer.section("OPTS", formats::optionBytes(params));
-    writer.section("VEHI", formats::optionBytes(vehicle));
-    writer.section("GRID", gridSection());
-    writer.section("SENS", sensorSection());
-    writer.section("CELL", cellSection());
-    return writer.finish();
-  }
-};
 
 template <class F>
 std::string forged(F&& falsify)
@@ -261,6 +171,53 @@ TEST(MultiLidarArchive, ThatContradictsItselfIsRefused)
   EXPECT_THAT(forged([](Forgery& f) { f.last_seen = -(int64_t{1} << 62U); }), HasSubstr("time"));
   EXPECT_THAT(forged([](Forgery& f) { f.params.cell_size_m = -1; }), HasSubstr("cell_size_m"));
   EXPECT_THAT(forged([](Forgery& f) { f.vehicle.height_m = 0.1; }), HasSubstr("height"));
+}
+
+points::ScanBuffer oneReturn()
+{
+  points::ScanBuffer scan;
+  scan.sensor_label = "roof";
+  scan.T_base_sensor.translation().z() = 1.8;
+  scan.x = {2};
+  scan.y = {0.5};
+  scan.z = {1};
+  return scan;
+}
+
+/** What is accepted is a map like another: it can be shown, goes on, and is the same again. */
+TEST(MultiLidarArchive, RandomForgeriesNeverCrash)
+{
+  std::mt19937_64 random(33);
+  const auto any = [&random](uint64_t below) { return random() % below; };
+  const poses::PoseTrack here = poses::PoseTrack::constant(Eigen::Isometry3d::Identity());
+  int accepted = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    Forgery f;
+    f.min_x = static_cast<int32_t>(random()) >> any(32);
+    f.x = static_cast<int32_t>(int64_t{f.min_x} + static_cast<int64_t>(any(24)) - 2);
+    f.run = static_cast<uint32_t>(any(8) == 0 ? random() : 2);
+    f.has_robot = static_cast<uint8_t>(any(3));
+    f.now = static_cast<int64_t>(random()) >> any(60);
+    f.last_seen = static_cast<int64_t>(random()) >> any(60);
+    f.state = static_cast<uint8_t>(any(6));
+    f.seen_by = static_cast<uint32_t>(any(3));
+    f.offset_s = static_cast<double>(any(4000)) - 300;
+    f.repeats_at_m = static_cast<double>(random() >> (36 + any(28)));
+    const std::string bytes = f.bytes();
+    if (refusal(bytes) != "accepted")
+    {
+      continue;
+    }
+    ++accepted;
+    Map map = fromArchive(bytes);
+    EXPECT_EQ(bytesOf(fromArchive(bytesOf(map))), bytesOf(map));
+    EXPECT_EQ(layersOf(map).size(), map.state.empty() ? 0U : 400U);
+    update(map.state, oneReturn().view(), here, map.params, map.vehicle);
+    explain(map.state, map.params, map.vehicle, {0, 0});
+  }
+  EXPECT_GT(accepted, 100);
+  EXPECT_LT(accepted, 2000);
 }
 
 TEST(MultiLidarArchive, AsksForNoMoreMemoryThanAMapMayHave)
