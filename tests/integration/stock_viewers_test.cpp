@@ -3,6 +3,7 @@
 //
 // MRPT's own viewers with the plugin loaded by their -l flag, under an X server of their own.
 #include <traverse/maps/CTraversabilityGridMap.h>
+#include <traverse/maps/CWrappableMultiLidarGrid.h>
 #include <traverse/plugin/register.h>
 
 #include <mrpt/opengl/COpenGLScene.h>
@@ -47,12 +48,12 @@ class StockViewers : public ::testing::Test
     fs::remove_all(folder_);
   }
 
-  int drive(const std::string& script, const std::string& argument) const
+  int drive(const std::string& script, const std::string& arguments) const
   {
     const std::string plugin = std::string(TRAVERSE_BINARY_DIR) + "/lib/libtraverse_maps.so";
     const std::string line = "cd '" + folder_.string() +
                              "' && bash '" TRAVERSE_SOURCE_DIR "/tests/integration/gui/" + script +
-                             "' '" + plugin + "' '" + argument + "' </dev/null";
+                             "' '" + plugin + "' " + arguments + " </dev/null";
     return std::system(line.c_str());
   }
 
@@ -81,20 +82,38 @@ size_t pixelsOf(const fs::path& xwd, layers::Colour colour)
   return count;
 }
 
-TEST_F(StockViewers, RawLogViewerBuildsTheMapFromOdometry)
+template <class Map>
+class StockViewersOf : public StockViewers
 {
-  fs::copy(mrptData("localization_demo.rawlog"), folder_);
-  ASSERT_EQ(drive("rawlog_viewer.sh", "localization_demo.rawlog"), 0);
-  mrpt::opengl::COpenGLScene scene;
-  ASSERT_TRUE(scene.loadFromFile((folder_ / "map.3Dscene").string()));
-  const auto surface = scene.getByClass<mrpt::opengl::CSetOfTriangles>();
-  ASSERT_TRUE(surface) << "the map's surface is in the scene that it saved";
-  EXPECT_GT(surface->getTrianglesCount(), 500U);
+};
+
+using Maps = ::testing::Types<maps::CTraversabilityGridMap, maps::CWrappableMultiLidarGrid>;
+TYPED_TEST_SUITE(StockViewersOf, Maps);
+
+std::string nameOf(const mrpt::maps::CMetricMap& map)
+{
+  const std::string name = map.GetRuntimeClass()->className;
+  return name.substr(name.rfind(':') + 1);
 }
 
-TEST_F(StockViewers, SceneViewerShowsTheLegendsColours)
+TYPED_TEST(StockViewersOf, RawLogViewerBuildsTheMapFromOdometry)
 {
-  maps::CTraversabilityGridMap map;
+  fs::copy(mrptData("localization_demo.rawlog"), this->folder_);
+  ASSERT_EQ(this->drive("rawlog_viewer.sh", "localization_demo.rawlog " + nameOf(TypeParam())), 0);
+  mrpt::opengl::COpenGLScene scene;
+  ASSERT_TRUE(scene.loadFromFile((this->folder_ / "map.3Dscene").string()));
+  size_t triangles = 0;
+  for (size_t i = 0; const auto surface = scene.getByClass<mrpt::opengl::CSetOfTriangles>(i); ++i)
+  {
+    triangles += surface->getTrianglesCount();
+  }
+  EXPECT_GT(triangles, 500U) << "the map's surface is in the scene that it saved";
+}
+
+TYPED_TEST(StockViewersOf, SceneViewerShowsTheLegendsColours)
+{
+  TypeParam map;
+  map.vehicle.base_height_m = 2;  // the lidar's own frame is the log's only one
   for (const LoggedObservation& logged : readStockLog(mrptData("test_velodyne_VLP16.rawlog")))
   {
     map.insertObservation(*logged.observation);
@@ -103,12 +122,12 @@ TEST_F(StockViewers, SceneViewerShowsTheLegendsColours)
   auto objects = mrpt::opengl::CSetOfObjects::Create();
   map.getVisualizationInto(*objects);
   scene.insert(objects);
-  ASSERT_TRUE(scene.saveToFile((folder_ / "map.3Dscene").string()));
-  ASSERT_EQ(drive("scene_viewer.sh", (folder_ / "map.3Dscene").string()), 0);
+  ASSERT_TRUE(scene.saveToFile((this->folder_ / "map.3Dscene").string()));
+  ASSERT_EQ(this->drive("scene_viewer.sh", (this->folder_ / "map.3Dscene").string()), 0);
   size_t shown = 0;
   for (const layers::LegendEntry& entry : map.layerSet().legend)
   {
-    shown += pixelsOf(folder_ / "screen.xwd", entry.colour) > 50 ? 1 : 0;
+    shown += pixelsOf(this->folder_ / "screen.xwd", entry.colour) > 50 ? 1 : 0;
   }
   EXPECT_GE(shown, 3U) << "classes seen on the screen in their exact colours";
 }

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-FileCopyrightText: 2026 the Traverse authors
 # SPDX-License-Identifier: BSD-3-Clause
-# rawlog_viewer.sh PLUGIN LOG: makes a map of LOG (in the present folder, which must be writable) in
+# rawlog_viewer.sh PLUGIN LOG CLASS: makes a map of CLASS of LOG (in the present folder, writable) in
 # stock RawLogViewer by its "Raw-map" window, and saves it as a .3Dscene beside the log.
 . "$(dirname "$0")/display.sh"
 RawLogViewer -l "$1" "$PWD/$2" > program.log 2>&1 &
@@ -21,7 +21,7 @@ xdotool key ctrl+a
 sleep 0.5
 xdotool type --delay 60 '[map]'
 xdotool key Return
-xdotool type --delay 60 'CTraversabilityGridMap_count = 1'
+xdotool type --delay 60 "$3_count = 1"
 xdotool key Return
 sleep 1
 click 160 192  # Map from odometry
