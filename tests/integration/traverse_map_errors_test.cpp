@@ -155,6 +155,16 @@ TEST_F(TraverseMapErrors, AnUnreadableLogIsExitFour)
   }
 }
 
+TEST_F(TraverseMapErrors, LabelsThatTheLogLacksAreNamed)
+{
+  const Finished none = vlp16({"--set", "Sensors.sensor_labels=velodyne"});
+  EXPECT_EQ(none.exit_code, 4) << none.err;
+  EXPECT_THAT(none.err, HasSubstr("'velodyne', which nothing in the log has; it has 'Velodyne1"));
+  const Finished some = vlp16({"--set", "Sensors.sensor_labels=Velodyne1_SCAN roof"});
+  EXPECT_EQ(some.exit_code, 0) << some.err;
+  EXPECT_THAT(some.err, HasSubstr("'roof', which nothing in the log has"));
+}
+
 TEST_F(TraverseMapErrors, AMissingTrajectoryIsExitFour)
 {
   const Finished ran =

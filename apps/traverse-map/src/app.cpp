@@ -90,6 +90,7 @@ ExitCode mapIt(const Settings& settings)
         }
         outputs.snapshot(maps, track, last_stamp);
       });
+  noteAbsentLabels(settings.sensors, metrics);
   noteWhatIsMissing(metrics);
   if (hasResults(metrics))
   {

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 namespace traverse::app
 {
@@ -94,6 +97,28 @@ void noteWhatIsMissing(RunMetrics& metrics)
   for (const MapMetrics& map : metrics.maps)
   {
     noteAbout(map, metrics);
+  }
+}
+
+void noteAbsentLabels(const observations::ObservationParams& sensors, RunMetrics& metrics)
+{
+  std::set<std::string> labels;
+  for (const logs::SensorTimes& sensor : metrics.sensors)
+  {
+    labels.insert(sensor.label);
+  }
+  std::istringstream wanted(sensors.sensor_labels);
+  for (std::string label; !labels.empty() && wanted >> label;)
+  {
+    if (labels.count(label) == 0)
+    {
+      constexpr std::ptrdiff_t kMostNamed = 20;
+      const auto end =
+          labels.size() > kMostNamed ? std::next(labels.begin(), kMostNamed) : labels.end();
+      metrics.warnings.push_back(fmt::format(
+          "[Sensors] sensor_labels names '{}', which nothing in the log has; it has '{}'{}", label,
+          fmt::join(labels.begin(), end, "', '"), end == labels.end() ? "" : " and more"));
+    }
   }
 }
 
