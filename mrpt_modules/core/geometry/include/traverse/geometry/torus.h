@@ -51,7 +51,9 @@ class DroppedCells
     }
   }
 
-  std::span<const CellRect> rects() const { return {rects_.data(), count_}; }
+  std::span<const CellRect> rects() const& { return {rects_.data(), count_}; }
+
+  std::span<const CellRect> rects() const&& = delete;  // a view into what is gone
 
  private:
   std::array<CellRect, 2> rects_;

@@ -43,7 +43,8 @@ class WrappedGrid
   template <class F>
   void moveTo(geometry::CellIndex centre, F&& f)
   {
-    for (const geometry::CellRect& rect : region_.moveTo(centre).rects())
+    const geometry::DroppedCells dropped = region_.moveTo(centre);
+    for (const geometry::CellRect& rect : dropped.rects())
     {
       forEachIn(
           rect,
@@ -57,7 +58,8 @@ class WrappedGrid
 
   void moveTo(geometry::CellIndex centre)
   {
-    for (const geometry::CellRect& rect : region_.moveTo(centre).rects())
+    const geometry::DroppedCells dropped = region_.moveTo(centre);
+    for (const geometry::CellRect& rect : dropped.rects())
     {
       fill(rect, Cell{});
     }
