@@ -82,7 +82,7 @@ class Run
  private:
   void insert(const simulation::LidarTurn& turn)
   {
-    const points::Decoded skewed = decoded(turn);
+    const points::Decoded skewed = decodeTurn(turn);
     returns_.add(turn, skewed.scan);
     points::Decoded deskewed = skewed;
     if (points::deskew(deskewed.scan, drive_.ins()) != points::Deskew::no_poses)

@@ -55,7 +55,7 @@ class OverhangTable : public ::testing::TestWithParam<double>
     auto state = std::make_unique<multi_lidar_grid::State>(params, drive.vehicle());
     while (const auto turn = drive.next())
     {
-      points::Decoded cloud = decoded(*turn);
+      points::Decoded cloud = decodeTurn(*turn);
       if (points::deskew(cloud.scan, drive.ins()) != points::Deskew::no_poses)
       {
         multi_lidar_grid::update(*state, cloud.view(), drive.ins(), params, drive.vehicle());

@@ -170,8 +170,8 @@ points::ScanBuffer simulatedScan(double base_height_m)
   params.x_m = kSensor.x();
   params.z_m = kSensor.z();
   params.yaw_deg = -0.583;
-  return decoded(simulation::Lidar(params, 1).turn(
-                     0, simulation::RayCaster(scene), simulation::Motion({pose})))
+  return decodeTurn(simulation::Lidar(params, 1).turn(
+                        0, simulation::RayCaster(scene), simulation::Motion({pose})))
       .scan;
 }
 

@@ -62,7 +62,7 @@ class SimulatedDrive
     for (const simulation::LidarTurn& turn : turns_)
     {
       const auto pose = track.at(turn.stamp);
-      points::Decoded seen = decoded(turn);
+      points::Decoded seen = decodeTurn(turn);
       if (pose && points::deskew(seen.scan, track) != points::Deskew::no_poses)
       {
         f(seen.scan.view(), pose->T_map_base);

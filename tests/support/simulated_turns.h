@@ -4,7 +4,7 @@
 
 #include "simple_scene.h"
 
-#include <traverse/points/velodyne_scan.h>
+#include <traverse/simulation/decode_turn.h>
 #include <traverse/simulation/recording.h>
 
 #include <utility>
@@ -12,18 +12,6 @@
 
 namespace traverse::testing
 {
-/** What decoders make of a simulated turn, without limits of range. */
-inline points::Decoded decoded(const simulation::LidarTurn& turn)
-{
-  const std::vector<sensors::VelodynePacket> views(turn.packets.begin(), turn.packets.end());
-  points::VelodyneInput input;
-  input.packets = views;
-  input.stamp = turn.stamp;
-  input.sensor_label = turn.label;
-  input.T_base_sensor = turn.T_base_sensor;
-  return points::decodeVelodyne(input);
-}
-
 /** A lidar without faults or noise, whose every beam comes back. */
 inline simulation::LidarParams perfectLidar(sensors::VelodyneModel model)
 {

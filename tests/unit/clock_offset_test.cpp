@@ -46,7 +46,7 @@ class DriveOfClouds
     track_ = poses::PoseTrack(recording.trajectory(100));
     for (const simulation::LidarTurn& turn : eventsOf<simulation::LidarTurn>(recording))
     {
-      clouds_.push_back(decoded(turn).scan);
+      clouds_.push_back(decodeTurn(turn).scan);
     }
   }
 

@@ -56,7 +56,7 @@ class LidarInAYard : public ::testing::TestWithParam<VelodyneModel>
 TEST_P(LidarInAYard, HasATruthForEveryPoint)
 {
   const LidarTurn turn = turnIn(yard(), perfectLidar(GetParam()));
-  const points::Decoded scan = decoded(turn);
+  const points::Decoded scan = decodeTurn(turn);
   ASSERT_EQ(scan.scan.size(), turn.returns.size());
   ASSERT_GT(turn.returns.size(), 10'000U);
   EXPECT_EQ(scan.rejects.of(points::Reject::bad_packet), 0U);
@@ -88,7 +88,7 @@ double offSurface(const points::ScanBuffer& scan, size_t i, const ReturnTruth& t
 TEST_P(LidarInAYard, MeetsTheSurfacesThatTheTruthNames)
 {
   const LidarTurn turn = turnIn(yard(), perfectLidar(GetParam()));
-  const points::Decoded scan = decoded(turn);
+  const points::Decoded scan = decodeTurn(turn);
   ASSERT_EQ(scan.scan.size(), turn.returns.size());
   std::array<size_t, 5> of_object{};
   for (size_t i = 0; i < turn.returns.size(); ++i)
@@ -176,7 +176,7 @@ TEST(SimulatedLidar, CountsItsClockFromTheTopOfTheHour)
   EXPECT_EQ(first->timeUs(), 3'599'950'000U);
   EXPECT_LT(last->timeUs(), 60'000U);
   EXPECT_EQ(turn.stamp, simulation::kRecordingStart - 50'000'000);
-  const points::Decoded scan = decoded(turn);
+  const points::Decoded scan = decodeTurn(turn);
   EXPECT_NEAR(static_cast<double>(scan.scan.time_s.back()), 0.1, 0.002);
 }
 
@@ -185,7 +185,7 @@ TEST(SimulatedLidar, HasTheNoiseThatItIsAskedFor)
   LidarParams params = perfectLidar(VelodyneModel::hdl32e);
   params.range_noise_m = 0.02;
   const LidarTurn turn = turnIn(yard(), params);
-  const points::Decoded scan = decoded(turn);
+  const points::Decoded scan = decodeTurn(turn);
   ASSERT_EQ(scan.scan.size(), turn.returns.size());
   double sum = 0;
   double squares = 0;
@@ -252,7 +252,7 @@ TEST(SimulatedLidar, InRainReportsDropsUnlessItReportsWhatIsBehindThem)
   const LidarTurn last = turnIn(yard(), params);
   EXPECT_GT(raindrops(strongest), strongest.returns.size() / 20);
   EXPECT_LT(raindrops(last), raindrops(strongest) / 2);
-  EXPECT_EQ(decoded(strongest).scan.size(), strongest.returns.size());
+  EXPECT_EQ(decodeTurn(strongest).scan.size(), strongest.returns.size());
 }
 
 TEST(SimulatedLidar, RefusesDualModeAndOptionsOutOfRange)

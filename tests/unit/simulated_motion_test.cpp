@@ -119,7 +119,7 @@ TEST_P(LidarInABend, PutsDeskewedPointsOnTheirSurfaces)
   size_t of_car = 0;
   for (const LidarTurn& turn : eventsOf<LidarTurn>(recording))
   {
-    points::ScanBuffer scan = decoded(turn).scan;
+    points::ScanBuffer scan = decodeTurn(turn).scan;
     ASSERT_EQ(scan.size(), turn.returns.size());
     ASSERT_EQ(points::deskew(scan, track), points::Deskew::corrected);
     const auto worst = worstOf(scan, turn, track.at(scan.stamp)->T_map_base);
@@ -141,7 +141,7 @@ TEST_P(LidarInABend, IsFarOffWithoutDeskewing)
 {
   const Recording recording(street(), bend(GetParam()), 1);
   const auto turn = std::get<LidarTurn>(recording.make({0, 0, 1}));
-  const auto scan = decoded(turn).scan;
+  const auto scan = decodeTurn(turn).scan;
   const auto pose = recording.drive().at(poses::secondsBetween(kRecordingStart, scan.stamp));
   EXPECT_GT(worstOf(scan, turn, pose)[1], 0.3);
 }

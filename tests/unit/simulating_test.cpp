@@ -136,7 +136,7 @@ TEST(SimulatedObservation, OfALidarGivesAScanWithTheTruthsPoints)
     sensors.min_range_m = 0;
     const auto scan =
         observations::toScan(*simulating::toObservation(turn, params), sensors).decoded.scan;
-    const auto direct = decoded(turn).scan;
+    const auto direct = decodeTurn(turn).scan;
     EXPECT_EQ(scan.x, direct.x);
     EXPECT_EQ(scan.z, direct.z);
     EXPECT_EQ(scan.stamp, turn.stamp);

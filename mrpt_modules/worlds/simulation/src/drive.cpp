@@ -14,27 +14,6 @@ namespace traverse::simulation
 {
 namespace
 {
-Eigen::Vector3d unit(const Eigen::Vector3d& v)
-{
-  return v / std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
-}
-
-/** The vehicle frame on a plane: x along the heading, z at right angles to the plane. */
-Eigen::Isometry3d standing(
-    const SmoothLine::Place& place, const WheelPlane& plane, double base_height_m)
-{
-  const Eigen::Vector2d& h = place.heading;
-  const Eigen::Vector3d x = unit({h.x(), h.y(), plane.forward});
-  const Eigen::Vector3d z = unit(x.cross(Eigen::Vector3d(-h.y(), h.x(), plane.left)));
-  Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
-  T_map_base.linear().col(0) = x;
-  T_map_base.linear().col(1) = z.cross(x);
-  T_map_base.linear().col(2) = z;
-  T_map_base.translation() =
-      Eigen::Vector3d(place.p.x(), place.p.y(), plane.z_m) + base_height_m * z;
-  return T_map_base;
-}
-
 WheelPlane planeAt(const std::vector<WheelPlane>& planes, double index)
 {
   const auto before = static_cast<size_t>(index);
