@@ -91,7 +91,8 @@ TEST(SceneFile, ScenesOfTheProjectCanBeBuilt)
 {
   const std::filesystem::path folder = std::filesystem::path(TRAVERSE_SOURCE_DIR) / "ini/scenes";
   for (const char* name :
-       {"street", "fence_and_grass", "ditches", "overhangs", "paper_3", "paper_5"})
+       {"street", "fence_and_grass", "ditches", "overhangs", "paper_3", "paper_5", "clutter", "park",
+        "tunnel", "warehouse", "icy_lot"})
   {
     const auto ini = config::IniDocument::fromFile(folder / (std::string(name) + ".ini"));
     const Scene scene = buildScene(generate(simulating::readScene(ini), 1));

@@ -37,7 +37,8 @@ auto asConfiguration(const F& make)
 /** Those that readScene() reads or refuses. */
 bool isOfScene(std::string_view section)
 {
-  constexpr std::array<std::string_view, 4> kBegins = {"Scene", "Random", "Terrain", "Object"};
+  constexpr std::array<std::string_view, 5> kBegins = {
+      "Scene", "Random", "Terrain", "Object", "Mission"};
   return std::any_of(
       kBegins.begin(), kBegins.end(),
       [&](std::string_view begin)

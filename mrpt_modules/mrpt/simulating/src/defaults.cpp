@@ -36,6 +36,7 @@ std::string defaultsText()
              "A thing on it; more as [Object_01] ...", simulation::numberedSection("Object_", 0),
              simulation::ObjectParams()) +
          section("What the seed adds.", "Random", simulation::RandomSceneParams()) +
+         section("Where a navigator is to go.", "Mission", simulation::MissionParams()) +
          section("What drives.", "Vehicle", recording.vehicle) +
          section("Where it drives.", "Drive", recording.drive) +
          section(

@@ -33,7 +33,7 @@ void refuseLookalikes(const config::IniDocument& ini)
 {
   for (const std::string& section : ini.sections())
   {
-    for (const std::string_view name : {"Scene", "Random"})
+    for (const std::string_view name : {"Scene", "Random", "Mission"})
     {
       if (beginsWith(section, name) && !config::sameName(section, name))
       {
@@ -106,6 +106,7 @@ SceneParams readScene(const config::IniDocument& ini)
   scene.folder = ini.folder();
   config::load(ini, "Scene", scene.extent);
   config::load(ini, "Random", scene.random);
+  config::load(ini, "Mission", scene.mission);
   scene.terrains = readNumbered<simulation::TerrainParams>(ini, "Terrain_");
   scene.objects = readNumbered<simulation::ObjectParams>(ini, "Object_");
   readCorners(ini, kDriveXs, scene.drive_xs_m);
@@ -124,6 +125,7 @@ std::string sceneText(const SceneParams& scene)
   {
     text += sectionText(numberedSection("Object_", i), scene.objects[i]);
   }
+  text += sectionText("Mission", scene.mission);
   if (!scene.drive_xs_m.empty())
   {
     text += "[Drive]\n" + keyLine("Drive", "xs_m", options::format(scene.drive_xs_m)) +

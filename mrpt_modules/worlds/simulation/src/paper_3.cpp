@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paper_3.h"
 
-#include "paper_5.h"
-#include "refuse.h"
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -100,27 +97,4 @@ void Paper3::follow(TerrainParams& strip, double from_m, double to_m, double lef
   std::tie(strip.xs_m, strip.ys_m) = way_.beside(from_m, to_m, left_m);
 }
 
-SceneParams generate(const SceneParams& fixed, uint64_t seed)
-{
-  SceneParams scene = fixed;
-  if (fixed.random.style == RandomStyle::none)
-  {
-    return scene;
-  }
-  inSection(
-      "Random",
-      [&]
-      {
-        options::check(fixed.random);
-        if (fixed.random.style == RandomStyle::paper_3)
-        {
-          Paper3(scene, seed).addAll();
-        }
-        else
-        {
-          Paper5(scene, seed).addAll();
-        }
-      });
-  return scene;
-}
 }  // namespace traverse::simulation

@@ -9,8 +9,8 @@
 
 namespace traverse::simulating
 {
-/** The sections [Scene], [Terrain_NN], [Object_NN] and [Random] of a scene file, and the corners of
- * [Drive]; NN counts from 00 without gaps. Other sections are left alone. Throws ConfigError with
+/** The sections [Scene], [Terrain_NN], [Object_NN], [Random] and [Mission] of a scene file, and the
+ * corners of [Drive]; NN counts from 00 without gaps. Other sections are left alone. Throws ConfigError with
  * place, section and key for a section that only begins like one of these, a gap, an unknown key
  * or a value that is not allowed. */
 simulation::SceneParams readScene(const config::IniDocument& ini);

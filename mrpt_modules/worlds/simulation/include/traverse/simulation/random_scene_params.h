@@ -16,13 +16,18 @@ namespace traverse::simulation
 /** Kinds of random scenes. */
 enum class RandomStyle : uint8_t
 {
-  none,     //!< nothing is added
-  paper_3,  //!< a road through rolling fields in winter or spring
-  paper_5,  //!< a winding street between walls, cars and people
+  none,       //!< nothing is added
+  paper_3,    //!< a road through rolling fields in winter or spring
+  paper_5,    //!< a winding street between walls, cars and people
+  clutter,    //!< for navigators: boxes, cylinders and walls anyhow
+  park,       //!< for navigators: a path over hills, ditches with crossings, trees
+  tunnel,     //!< for navigators: a bent corridor between two open grounds
+  warehouse,  //!< for navigators: aisles between racks, people who walk in them
+  icy_lot,    //!< for navigators: a parking lot with patches of ice
 };
 
 /** Section [Random]: what generate() adds. Numbers of things are means: a seed has between a half
- * and one and a half times as many. */
+ * and one and a half times as many (clutter: as many, where they find room). */
 struct RandomSceneParams
 {
   RandomStyle style = RandomStyle::none;
@@ -47,6 +52,10 @@ struct RandomSceneParams
   int things = 3;
   int holes = 2;
   int overhangs = 2;
+  double corridor_m = 2.5;
+  double slope_deg = 12;
+  int ditches = 3;
+  int ice_patches = 8;
 
   friend bool operator==(const RandomSceneParams&, const RandomSceneParams&) = default;
 };
@@ -73,12 +82,21 @@ void visit(P& p, F&& f)
   f(Option{"walls", "walls", {0, 20}}, p.walls);
   f(Option{"fences", "fences of wire or boards", {0, 20}}, p.fences);
   f(Option{"buildings", "buildings", {0, 20}}, p.buildings);
-  f(Option{"parked_vehicles", "parked cars", {0, 20}}, p.parked_vehicles);
+  f(Option{"parked_vehicles", "parked cars", {0, 100}}, p.parked_vehicles);
   f(Option{"moving_vehicles", "cars that drive", {0, 4}}, p.moving_vehicles);
   f(Option{"people", "people, most of them walking", {0, 50}}, p.people);
   f(Option{"things", "boxes, drums and round stones", {0, 100}}, p.things);
   f(Option{"holes", "paper_5: holes at the roadside", {0, 20}}, p.holes);
-  f(Option{"overhangs", "paper_5: bridges and beams over the road", {0, 10}}, p.overhangs);
+  f(
+      Option{
+          "overhangs",
+          "paper_5: bridges and beams over the road; tunnel: 0: none has a roof",
+          {0, 10}},
+      p.overhangs);
+  f(Option{"corridor_m", "tunnel: its width, 0.3 m more or less by seed, m", {2, 6}}, p.corridor_m);
+  f(Option{"slope_deg", "park: the steepest slope of its hills, deg", {0, 30}}, p.slope_deg);
+  f(Option{"ditches", "park: ditches across the path, with crossings", {0, 10}}, p.ditches);
+  f(Option{"ice_patches", "icy_lot: patches of ice", {0, 100}}, p.ice_patches);
 }
 }  // namespace traverse::simulation
 
@@ -86,6 +104,13 @@ template <>
 struct traverse::options::EnumNames<traverse::simulation::RandomStyle>
 {
   using E = traverse::simulation::RandomStyle;
-  static constexpr std::array<std::pair<E, std::string_view>, 3> kNames = {
-      {{E::none, "none"}, {E::paper_3, "paper_3"}, {E::paper_5, "paper_5"}}};
+  static constexpr std::array<std::pair<E, std::string_view>, 8> kNames = {
+      {{E::none, "none"},
+       {E::paper_3, "paper_3"},
+       {E::paper_5, "paper_5"},
+       {E::clutter, "clutter"},
+       {E::park, "park"},
+       {E::tunnel, "tunnel"},
+       {E::warehouse, "warehouse"},
+       {E::icy_lot, "icy_lot"}}};
 };

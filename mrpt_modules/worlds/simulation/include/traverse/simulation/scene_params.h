@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/simulation/mission_params.h>
 #include <traverse/simulation/object_params.h>
 #include <traverse/simulation/random_scene_params.h>
 #include <traverse/simulation/scene_extent.h>
@@ -23,6 +24,7 @@ struct SceneParams
   RandomSceneParams random;             //!< [Random]
   std::vector<double> drive_xs_m;       //!< the way that generate() proposes: [Drive] xs_m
   std::vector<double> drive_ys_m;       //!< [Drive] ys_m
+  MissionParams mission;                //!< [Mission]; of styles for navigators generate() says it
   std::filesystem::path folder;         //!< relative file names are relative to it
 
   friend bool operator==(const SceneParams&, const SceneParams&) = default;
