@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.h"
+#include "defaults.h"
+#include "outputs.h"
+#include "watcher.h"
+
+#include <traverse/common_app/interrupt.h>
+#include <traverse/formats/safe_file.h>
+#include <traverse/nav_app/app.h>
+#include <traverse/plugin/register.h>
+
+#include <cstdlib>
+#include <fmt/format.h>
+#include <iostream>
+
+namespace traverse::app
+{
+namespace
+{
+void tell(const std::string& kind, const std::string& message)
+{
+  fmt::print(stderr, "traverse-nav: {}: {}\n", kind, message);
+}
+
+/** Collision grids take seconds to compute and depend on the vehicle only: kept where programs keep
+ * such things. */
+std::filesystem::path cacheFolder()
+{
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  if (cache != nullptr && *cache != '\0')
+  {
+    return std::filesystem::path(cache) / "traverse";
+  }
+  return home != nullptr && *home != '\0' ? std::filesystem::path(home) / ".cache" / "traverse"
+                                          : std::filesystem::temp_directory_path() / "traverse";
+}
+
+ExitCode navigate(const NavCommand& command, const NavSettings& settings)
+{
+  const Interrupt interrupt;
+  const Mission mission = readMission(settings, command.seed);
+  formats::OutputFolder folder(
+      command.output, command.force ? formats::Overwrite::replace : formats::Overwrite::refuse);
+  Pilot pilot(settings, cacheFolder(), folder.path());
+  Watcher watcher(settings, command.quiet);
+  DriveOptions options;
+  options.stop = &Interrupt::flag();
+  options.watch = [&](const Pilot& at, const DriveRecord& record) { watcher.see(at, record); };
+  const DriveResult result = drive(settings, mission, command.seed, pilot, options);
+  watcher.finish(folder);
+  const Json metrics =
+      metricsOf(settings, pilot, result, optimum_m(settings, mission), command.seed);
+  writeDrive(folder, settings, pilot, mission, result, metrics);
+  folder.commit();
+  std::cout << textOf(metrics) << "\n";
+  return result.interrupted ? Interrupt::exitCode().value_or(ExitCode::interrupted)
+                            : ExitCode::done;
+}
+
+ExitCode runCommand(const NavCommand& command)
+{
+  plugin::registerAllMaps();
+  if (command.print_defaults)
+  {
+    std::cout << navDefaultsText();
+    return ExitCode::done;
+  }
+  const NavSettings settings = readNavSettings(command.config, command.assignments);
+  for (const std::string& warning : settings.warnings)
+  {
+    tell("warning", warning);
+  }
+  if (command.check_config)
+  {
+    readMission(settings, command.seed);
+    return ExitCode::done;
+  }
+  return navigate(command, settings);
+}
+}  // namespace
+
+ExitCode runNavApp(int argc, const char* const* argv)
+{
+  try
+  {
+    const Parsed<NavCommand> parsed = parseNavCommand(argc, argv);
+    return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
+  }
+  catch (const config::ConfigError& e)
+  {
+    tell("configuration", e.what());
+    return ExitCode::configuration;
+  }
+  catch (const formats::FileError& e)
+  {
+    tell("file", e.what());
+    return ExitCode::internal;
+  }
+  catch (const std::exception& e)
+  {
+    tell("internal error", e.what());
+    return ExitCode::internal;
+  }
+}
+}  // namespace traverse::app

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "defaults.h"
+
+#include <traverse/nav_app/settings.h>
+
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+namespace
+{
+template <class P>
+std::string section(const std::string& meaning, const std::string& name, const P& params)
+{
+  std::string text = fmt::format("\n// {}\n[{}]\n", meaning, name);
+  for (const options::Row& row : options::rows(params))
+  {
+    text += fmt::format("// {} ({})\n{} = {}\n", row.meaning, row.allowed, row.key, row.value);
+  }
+  return text;
+}
+}  // namespace
+
+std::string navDefaultsText()
+{
+  const NavSettings settings;
+  return "// Every section and key of traverse-nav with its default. Sections of maps: "
+         "ini/reference.ini. doc/navigation.md says more.\n" +
+         section("The run.", "traverse-nav", settings.run) +
+         section("What drives.", "Vehicle", settings.robot.vehicle) +
+         section("What it can do.", "Drivetrain", settings.drivetrain) +
+         section("A lidar; more as [Lidar_01] ...", "Lidar_00", settings.robot.lidars.front()) +
+         section("Poses that drift (poses = icp_3d).", "Odometry", settings.robot.odometry) +
+         section("What the planner makes of the maps.", "Costmap", settings.costs) +
+         section("How a way is sought.", "Planner", settings.plan) +
+         section("How fast it is driven.", "Speed", settings.speed) +
+         section("MRPT's reactive navigator.", "Reactive", settings.reactive) +
+         section("When the vehicle stops.", "Watchdogs", settings.watchdogs);
+}
+}  // namespace traverse::app

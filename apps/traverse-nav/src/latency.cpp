@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/nav_app/latency.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace traverse::app
+{
+double Latencies::percentile_ms(Stage stage, double share) const
+{
+  std::vector<float> times = times_ms_[static_cast<size_t>(stage)];
+  if (times.empty())
+  {
+    return 0;
+  }
+  const auto last = static_cast<double>(times.size() - 1);
+  const auto nth = times.begin() + static_cast<std::ptrdiff_t>(std::lround(last * share));
+  std::nth_element(times.begin(), nth, times.end());
+  return *nth;
+}
+}  // namespace traverse::app

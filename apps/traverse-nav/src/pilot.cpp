@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/exact_trig.h>
+#include <traverse/nav_app/pilot.h>
+#include <traverse/navigation/obstacle_points.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace traverse::app
+{
+namespace
+{
+using navigation::Conduct;
+using navigation::Passage;
+using navigation::Replan;
+using poses::secondsBetween;
+
+constexpr double kPlanAgain_s = 0.5;  // where there was no way
+constexpr double kBackOff_mps = 0.2;
+constexpr double kBackOffRoom_m = 0.4;  // behind the footprint
+
+double distance(const geometry::Pose2& pose, double x_m, double y_m)
+{
+  const double dx = x_m - pose.x_m;
+  const double dy = y_m - pose.y_m;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+/** The window of the costmap around the vehicle, in whole cells. */
+geometry::CellRect around(
+    const geometry::Pose2& pose, const geometry::Lattice& lattice, double window_m)
+{
+  const auto half = static_cast<int32_t>(std::ceil(window_m / lattice.cell_m() / 2));
+  const geometry::CellIndex middle =
+      lattice.cellOf(geometry::toMillimetres(pose.x_m), geometry::toMillimetres(pose.y_m));
+  return {{middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}};
+}
+
+/** The window in a map's own cells, all that touch it. */
+geometry::CellRect windowOf(
+    const geometry::CellRect& extent, const geometry::Lattice& from, const geometry::Lattice& to)
+{
+  const auto first = [&](int32_t cell)
+  { return static_cast<int32_t>(geometry::floorDiv(int64_t{cell} * from.cell_mm, to.cell_mm)); };
+  const auto end = [&](int32_t cell)
+  { return static_cast<int32_t>(-geometry::floorDiv(-int64_t{cell} * from.cell_mm, to.cell_mm)); };
+  return {{first(extent.min.x), first(extent.min.y)}, {end(extent.max.x), end(extent.max.y)}};
+}
+
+/** The point of a path that is nearest to a place. */
+size_t nearestOf(const navigation::Path& path, const geometry::Pose2& pose)
+{
+  const auto nearer = [&](const navigation::PathPoint& a, const navigation::PathPoint& b)
+  { return distance(pose, a.pose.x_m, a.pose.y_m) < distance(pose, b.pose.x_m, b.pose.y_m); };
+  return static_cast<size_t>(std::min_element(path.begin(), path.end(), nearer) - path.begin());
+}
+}  // namespace
+
+Pilot::Pilot(
+    const NavSettings& settings,
+    const std::filesystem::path& cache,
+    const std::filesystem::path& log_folder) :
+    settings_(settings),
+    maps_(buildMaps(settings.ini, settings.maps)),
+    planner_(settings.robot.vehicle, settings.drivetrain, settings.plan),
+    driver_(settings.robot.vehicle, settings.drivetrain, settings.reactive, cache, log_folder),
+    supervisor_(settings.watchdogs, settings.plan.goal_tolerance_m)
+{
+}
+
+void Pilot::goTo(const navigation::Goal& goal)
+{
+  if (goal_)
+  {
+    supervisor_.nextGoal();
+  }
+  goal_ = goal;
+  plan_ = {};
+  last_plan_ = 0;
+  driver_.follow({});
+}
+
+void Pilot::take(const points::Scan& scan, const poses::PoseTrack& track)
+{
+  latencies_.time(
+      Stage::maps,
+      [&]
+      {
+        for (const BuiltMap& map : maps_)
+        {
+          has_news_ |= map.consumer->insertScan(scan, track).inserted;
+        }
+      });
+  last_scan_ = std::max(last_scan_, scan.stamp);
+}
+
+void Pilot::lookAtMaps(poses::TimeNs now, const geometry::Pose2& pose)
+{
+  if (!has_news_ || secondsBetween(last_look_, now) < 1 / settings_.run.costmap_hz)
+  {
+    return;
+  }
+  has_news_ = false;
+  last_look_ = now;
+  latencies_.time(
+      Stage::costmap,
+      [&]
+      {
+        const navigation::CostParams& params = settings_.costs;
+        const geometry::Lattice lattice{
+            static_cast<int32_t>(geometry::toMillimetres(params.cell_size_m))};
+        const geometry::CellRect extent = around(pose, lattice, params.window_m);
+        std::vector<layers::LayerSet> sets;
+        for (const BuiltMap& map : maps_)
+        {
+          map.consumer->advance(now);
+          sets.push_back(map.consumer->layerSet(windowOf(extent, lattice, latticeOf(map))));
+        }
+        std::vector<navigation::MapLayers> layers;
+        for (size_t i = 0; i < maps_.size(); ++i)
+        {
+          layers.push_back({maps_[i].title(), &sets[i]});
+        }
+        costmap_ =
+            navigation::costmapOf(layers, lattice, extent, pose, settings_.robot.vehicle, params);
+      });
+}
+
+void Pilot::followWay(const geometry::Pose2& pose)
+{
+  std::vector<Eigen::Vector2d> places;
+  const navigation::Path& path = plan_.path;
+  double next_m = settings_.reactive.waypoint_spacing_m;
+  const size_t first = path.empty() ? 0 : nearestOf(path, pose);
+  for (size_t i = first; i < path.size(); ++i)
+  {
+    if (path[i].along_m - path[first].along_m >= next_m || i + 1 == path.size())
+    {
+      places.emplace_back(path[i].pose.x_m, path[i].pose.y_m);
+      next_m += settings_.reactive.waypoint_spacing_m;
+    }
+  }
+  driver_.follow(places);
+}
+
+void Pilot::keepWay(poses::TimeNs now, const geometry::Pose2& pose)
+{
+  if (!goal_ || costmap_.size() == 0)
+  {
+    return;
+  }
+  const Replan reason = plan_.path.empty()
+                            ? Replan::first
+                            : navigation::needsNewPlan(
+                                  costmap_, settings_.robot.vehicle, plan_, pose, settings_.plan);
+  const bool may_plan =
+      last_plan_ == 0 || secondsBetween(last_plan_, now) >= kPlanAgain_s || !plan_.path.empty();
+  if (reason == Replan::no || !may_plan)
+  {
+    return;
+  }
+  last_plan_ = now;
+  ++plans_[static_cast<size_t>(reason)];
+  plan_ = latencies_.time(Stage::plan, [&] { return planner_.plan(costmap_, pose, *goal_); });
+  followWay(pose);
+}
+
+navigation::SpeedLimit Pilot::limitAt(
+    const geometry::Pose2& pose, const geometry::Twist2& motion) const
+{
+  if (plan_.path.empty())
+  {
+    return {0, navigation::SpeedReason::end};
+  }
+  const size_t at = nearestOf(plan_.path, pose);
+  const navigation::Path ahead(
+      plan_.path.begin() + static_cast<std::ptrdiff_t>(at), plan_.path.end());
+  const auto limits = navigation::speedProfile(
+      ahead, costmap_, settings_.drivetrain, std::abs(motion.speed_mps), settings_.speed);
+  // What may be driven a step from here: at the vehicle's own place the profile starts with what it
+  // has.
+  return limits[std::min<size_t>(1, limits.size() - 1)];
+}
+
+bool Pilot::isGoalBlocked() const
+{
+  if (!goal_ || costmap_.size() == 0)
+  {
+    return false;
+  }
+  const Passage there = costmap_.passageAt(costmap_.cellAt(goal_->x_m, goal_->y_m));
+  return there == Passage::obstacle || there == Passage::hard;
+}
+
+geometry::Twist2 Pilot::backOff(const geometry::Pose2& pose) const
+{
+  const geometry::Vehicle& vehicle = settings_.robot.vehicle;
+  const auto [min_x, max_x] =
+      std::minmax_element(vehicle.footprint_xs_m.begin(), vehicle.footprint_xs_m.end());
+  const auto [min_y, max_y] =
+      std::minmax_element(vehicle.footprint_ys_m.begin(), vehicle.footprint_ys_m.end());
+  const double range_m = std::abs(*min_x) + kBackOffRoom_m + std::max(*max_y, -*min_y);
+  for (const Eigen::Vector3f& p : navigation::obstaclePoints(costmap_, pose, range_m))
+  {
+    const bool is_behind = p.x() < *min_x && p.x() > *min_x - kBackOffRoom_m;
+    if (is_behind && p.y() > *min_y - 0.1 && p.y() < *max_y + 0.1)
+    {
+      return {};
+    }
+  }
+  return {-std::min(kBackOff_mps, settings_.drivetrain.max_reverse_mps), 0};
+}
+
+PilotStep Pilot::step(
+    poses::TimeNs now,
+    poses::TimeNs measured,
+    const geometry::Pose2& pose,
+    const geometry::Twist2& motion)
+{
+  last_scan_ = last_scan_ == 0 ? now : last_scan_;  // what came before is not waited for
+  return latencies_.time(
+      Stage::control,
+      [&]
+      {
+        lookAtMaps(now, pose);
+        keepWay(now, pose);
+        return latencies_.time(
+            Stage::reactive, [&] { return decide(now, measured, pose, motion); });
+      });
+}
+
+PilotStep Pilot::decide(
+    poses::TimeNs now,
+    poses::TimeNs measured,
+    const geometry::Pose2& pose,
+    const geometry::Twist2& motion)
+{
+  const navigation::SpeedLimit limit = limitAt(pose, motion);
+  reactive::Senses senses{now, pose, motion, {}, limit.speed_mps};
+  senses.obstacles =
+      navigation::obstaclePoints(costmap_, pose, settings_.reactive.reference_distance_m + 1);
+  const reactive::Command command = driver_.step(senses);
+  navigation::Situation situation;
+  situation.now = now;
+  situation.last_scan = last_scan_;
+  situation.last_pose = measured;
+  situation.pose = pose;
+  situation.has_way = !plan_.path.empty();
+  situation.has_motion = command.outcome == reactive::Outcome::driving ||
+                         command.outcome == reactive::Outcome::arrived;
+  situation.wants_motion = command.twist.speed_mps != 0 || command.twist.yaw_rate_radps != 0;
+  situation.is_goal_blocked = isGoalBlocked();
+  situation.to_goal_m = goal_ ? distance(pose, goal_->x_m, goal_->y_m) : 1e9;
+  PilotStep result;
+  result.conduct = supervisor_.step(situation);
+  result.cause =
+      supervisor_.log().empty() ? navigation::Cause::none : supervisor_.log().back().cause;
+  result.speed_limit_mps = limit.speed_mps;
+  result.limited_by = limit.reason;
+  if (result.conduct == Conduct::drive)
+  {
+    result.command = command.twist;
+  }
+  else if (result.conduct == Conduct::recover)
+  {
+    result.command = backOff(pose);
+    plan_ = {};
+  }
+  return result;
+}
+}  // namespace traverse::app

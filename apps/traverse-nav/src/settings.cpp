@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/config/strict.h>
+#include <traverse/nav_app/settings.h>
+#include <traverse/simulating/recording_file.h>
+
+#include <fmt/format.h>
+
+namespace traverse::app
+{
+namespace
+{
+using config::ConfigError;
+
+/** [Lidar_NN] as many as there are; [Drive] and [Ins] would do nothing. */
+std::vector<std::string> ownSections(const NavSettings& settings)
+{
+  std::vector<std::string> own = {"traverse-nav", "Vehicle", "Drivetrain", "Odometry", "Costmap",
+                                  "Planner",      "Speed",   "Watchdogs",  "Reactive", "Maps"};
+  for (size_t i = 0; i < settings.robot.lidars.size(); ++i)
+  {
+    own.push_back(fmt::format("Lidar_{:02}", i));
+  }
+  return own;
+}
+
+/** What no single key can say. */
+void checkTogether(const NavSettings& settings)
+{
+  const geometry::Vehicle& v = settings.robot.vehicle;
+  if (v.footprint_xs_m.size() != v.footprint_ys_m.size() || v.footprint_xs_m.size() < 3)
+  {
+    throw ConfigError(
+        "[Vehicle] footprint_xs_m and footprint_ys_m need as many corners, at least 3");
+  }
+  if (settings.run.goal_xs_m.size() != settings.run.goal_ys_m.size())
+  {
+    throw ConfigError("[traverse-nav] goal_xs_m and goal_ys_m need as many numbers");
+  }
+  if (settings.run.scene.empty())
+  {
+    throw ConfigError("[traverse-nav] scene: say which world to drive in");
+  }
+}
+}  // namespace
+
+NavSettings readNavSettings(
+    const std::filesystem::path& file, const std::vector<std::string>& assignments)
+{
+  NavSettings settings;
+  settings.ini = config::IniDocument::fromFile(file);
+  for (const std::string& assignment : assignments)
+  {
+    settings.ini.set(assignment);
+  }
+  config::load(settings.ini, "traverse-nav", settings.run);
+  config::load(settings.ini, "Drivetrain", settings.drivetrain);
+  config::load(settings.ini, "Costmap", settings.costs);
+  config::load(settings.ini, "Planner", settings.plan);
+  config::load(settings.ini, "Speed", settings.speed);
+  config::load(settings.ini, "Watchdogs", settings.watchdogs);
+  config::load(settings.ini, "Reactive", settings.reactive);
+  settings.robot = simulating::readRecording(settings.ini);
+  MapWishes wishes = readWantedMaps(settings.ini);
+  checkSections(settings.ini, ownSections(settings), wishes);
+  settings.maps = wishes.ours;
+  settings.warnings = wishes.warnings;
+  checkTogether(settings);
+  const std::filesystem::path scene = settings.run.scene;
+  settings.scene = scene.is_relative() ? settings.ini.folder() / scene : scene;
+  return settings;
+}
+}  // namespace traverse::app
