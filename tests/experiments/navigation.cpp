@@ -5,8 +5,10 @@
 // WORLD_VEHICLE_reached (share), _collisions (sum), _struck_standing, _min_clearance_m,
 // _time_over_optimum (mean of those that arrived), _stops (mean); the same with icp_ before. With
 // --quick: seeds 101-110.
+#include <traverse/geometry/exact_trig.h>
 #include <traverse/nav_app/closed_loop.h>
 #include <traverse/plugin/register.h>
+#include <traverse/simulation/ray_caster.h>
 
 #include <algorithm>
 #include <chrono>
@@ -31,13 +33,52 @@ const std::vector<std::string> kWorlds = {"clutter", "park", "tunnel", "warehous
 std::filesystem::path own_program;  // NOLINT: set once, by main()
 const std::vector<std::string> kVehicles = {"differential", "ackermann"};
 
-nlohmann::json driven(
-    const std::string& world, const std::string& vehicle, const std::string& poses, uint64_t seed)
+/** One drive to make. */
+struct Drive
+{
+  std::string world;
+  std::string vehicle;
+  std::string strip;  //!< [Costmap] strip
+  std::string poses;  //!< [traverse-nav] poses
+};
+
+/** How far from the middle between what is on the left and on the right the vehicle drove, m, 95 %
+ * of the places with both nearer than 2 m (at half a metre of height); NaN where there is none. */
+double offMiddle_m(const simulation::Scene& scene, const app::DriveResult& result)
+{
+  constexpr double kNear_m = 2;
+  const simulation::RayCaster caster(scene);
+  std::vector<double> off_m;
+  for (const app::DriveRecord& record : result.records)
+  {
+    const geometry::Pose2& pose = record.vehicle.pose;
+    const geometry::SinCos turn = geometry::sinCosOfAny(pose.yaw_rad);
+    const double ground_m = scene.terrain->at(pose.x_m, pose.y_m).height_m;
+    const Eigen::Vector3d from(pose.x_m, pose.y_m, ground_m + 0.5);
+    const auto free_m = [&](double side)
+    {
+      const Eigen::Vector3d to(-turn.sin * side, turn.cos * side, 0);
+      return caster.cast({from, to, record.t_s}, kNear_m).range_m;
+    };
+    const double left_m = free_m(1);
+    const double right_m = free_m(-1);
+    if (left_m < kNear_m && right_m < kNear_m)
+    {
+      off_m.push_back(std::abs(left_m - right_m) / 2);
+    }
+  }
+  std::sort(off_m.begin(), off_m.end());
+  return off_m.empty() ? std::numeric_limits<double>::quiet_NaN()
+                       : off_m[(off_m.size() - 1) * 95 / 100];
+}
+
+nlohmann::json driven(const Drive& what, uint64_t seed)
 {
   const std::filesystem::path ini =
-      std::filesystem::path(TRAVERSE_SOURCE_DIR) / "ini" / ("nav_" + vehicle + ".ini");
+      std::filesystem::path(TRAVERSE_SOURCE_DIR) / "ini" / ("nav_" + what.vehicle + ".ini");
   const app::NavSettings settings = app::readNavSettings(
-      ini, {"traverse-nav.scene=scenes/" + world + ".ini", "traverse-nav.poses=" + poses});
+      ini, {"traverse-nav.scene=scenes/" + what.world + ".ini", "traverse-nav.poses=" + what.poses,
+            "Costmap.strip=" + what.strip});
   const app::Mission mission = app::readMission(settings, seed);
   app::Pilot pilot(settings, std::filesystem::temp_directory_path() / "traverse-collision-grids");
   const app::DriveResult result = app::drive(settings, mission, seed, pilot, {});
@@ -48,6 +89,7 @@ nlohmann::json driven(
       {"collisions", result.collisions},
       {"struck_standing", result.struck_standing},
       {"min_clearance_m", result.min_clearance_m},
+      {"off_middle_m", offMiddle_m(mission.scene, result)},
       {"stops", result.stops},
       {"time_over_optimum", result.time_s * settings.drivetrain.max_speed_mps / best_m},
       {"control_p95_ms", pilot.latencies().percentile_ms(app::Stage::control, 0.95)},
@@ -56,15 +98,16 @@ nlohmann::json driven(
 }
 
 /** A drive in a process of its own: MRPT's clock is one for a process. */
-nlohmann::json drivenApart(
-    const std::string& world, const std::string& vehicle, const std::string& poses, uint64_t seed)
+nlohmann::json drivenApart(const Drive& what, uint64_t seed)
 {
   const Finished child = traverse::testing::run(
-      {own_program.string(), "--one", world, vehicle, poses, std::to_string(seed)}, {},
-      std::chrono::seconds(1800));
+      {own_program.string(), "--one", what.world, what.vehicle, what.strip, what.poses,
+       std::to_string(seed)},
+      {}, std::chrono::seconds(1800));
   if (child.exit_code != 0)
   {
-    throw std::runtime_error(world + " " + vehicle + " " + std::to_string(seed) + ": " + child.err);
+    throw std::runtime_error(
+        what.world + " " + what.vehicle + " " + std::to_string(seed) + ": " + child.err);
   }
   return nlohmann::json::parse(child.out);
 }
@@ -72,19 +115,21 @@ nlohmann::json drivenApart(
 nlohmann::json driveAll(uint64_t seed, const std::string& poses)
 {
   nlohmann::json all;
-  for (const std::string& world : kWorlds)
+  const auto add = [&](const std::string& key, const Drive& what)
   {
-    for (const std::string& vehicle : kVehicles)
+    all[key] = drivenApart(what, seed);
+    if (!all[key]["reached"] || all[key]["collisions"] != 0)
     {
-      const std::string key = world + "_" + vehicle;
-      all[key] = drivenApart(world, vehicle, poses, seed);
-      const bool is_fine = all[key]["reached"] && all[key]["collisions"] == 0;
-      if (!is_fine)
-      {
-        std::cerr << "seed " << seed << " " << poses << " " << key << ": " << all[key].dump()
-                  << "\n";
-      }
+      std::cerr << "seed " << seed << " " << poses << " " << key << ": " << all[key].dump() << "\n";
     }
+  };
+  for (const std::string& vehicle : kVehicles)
+  {
+    for (const std::string& world : kWorlds)
+    {
+      add(world + "_" + vehicle, {world, vehicle, "default", poses});
+    }
+    add("tunnel_no_strip_" + vehicle, {"tunnel", vehicle, "none", poses});
   }
   return all;
 }
@@ -100,15 +145,17 @@ double sumOf(const std::vector<nlohmann::json>& runs, const std::string& key, co
   return sum;
 }
 
-double meanWhereReached(const std::vector<nlohmann::json>& runs, const std::string& key)
+/** NaN where none arrived. */
+double meanWhereReached(
+    const std::vector<nlohmann::json>& runs, const std::string& key, const char* what)
 {
   double sum = 0;
   int count = 0;
   for (const nlohmann::json& one : runs)
   {
-    if (one[key]["reached"] && one[key]["time_over_optimum"].is_number())
+    if (one[key]["reached"] && one[key][what].is_number())
     {
-      sum += one[key]["time_over_optimum"].get<double>();
+      sum += one[key][what].get<double>();
       ++count;
     }
   }
@@ -138,7 +185,8 @@ void tell(
     figures[name + "_collisions"] = sumOf(runs, key, "collisions");
     figures[name + "_struck_standing"] = sumOf(runs, key, "struck_standing");
     figures[name + "_min_clearance_m"] = nearest;
-    figures[name + "_time_over_optimum"] = meanWhereReached(runs, key);
+    figures[name + "_time_over_optimum"] = meanWhereReached(runs, key, "time_over_optimum");
+    figures[name + "_off_middle_m"] = meanWhereReached(runs, key, "off_middle_m");
     figures[name + "_stops"] = sumOf(runs, key, "stops") / count;
     figures[name + "_control_p95_ms"] = sumOf(runs, key, "control_p95_ms") / count;
   }
@@ -146,10 +194,10 @@ void tell(
 
 int runAll(const std::vector<std::string>& args)
 {
-  if (args.size() == 5 && args[0] == "--one")
+  if (args.size() == 6 && args[0] == "--one")
   {
     plugin::registerAllMaps();
-    std::cout << driven(args[1], args[2], args[3], std::stoull(args[4])).dump() << "\n";
+    std::cout << driven({args[1], args[2], args[3], args[4]}, std::stoull(args[5])).dump() << "\n";
     return 0;
   }
   const SeedOptions options = seedOptions(args, {101, 150, ""});
