@@ -15,7 +15,24 @@ namespace traverse::app
 {
 namespace
 {
-std::optional<std::array<double, 2>> parsePlace(std::string_view text)
+std::string why(const std::filesystem::path& folder, const std::array<double, 2>& place_m)
+{
+  std::string text;
+  for (const std::filesystem::path& file : mapFiles(folder))
+  {
+    const LoadedMap map = loadMap(file);
+    text += text.empty() ? "" : "\n";
+    text += fmt::format("map: {}, {}\n", file.filename().string(), map.kind);
+    for (const layers::Fact& fact : map.consumer->explain(place_m[0], place_m[1]))
+    {
+      text += fmt::format("{}: {}\n", fact.key, fact.value);
+    }
+  }
+  return text;
+}
+}  // namespace
+
+std::optional<std::array<double, 2>> placeOf(std::string_view text)
 {
   constexpr double kFarthest_m = 1e6;
   const size_t comma = text.find(',');
@@ -37,27 +54,10 @@ std::optional<std::array<double, 2>> parsePlace(std::string_view text)
   return place;
 }
 
-std::string why(const std::filesystem::path& folder, const std::array<double, 2>& place_m)
-{
-  std::string text;
-  for (const std::filesystem::path& file : mapFiles(folder))
-  {
-    const LoadedMap map = loadMap(file);
-    text += text.empty() ? "" : "\n";
-    text += fmt::format("map: {}, {}\n", file.filename().string(), map.kind);
-    for (const layers::Fact& fact : map.consumer->explain(place_m[0], place_m[1]))
-    {
-      text += fmt::format("{}: {}\n", fact.key, fact.value);
-    }
-  }
-  return text;
-}
-}  // namespace
-
 ExitCode printWhy(
     const std::string& program, const std::filesystem::path& folder, const std::string& place)
 {
-  const auto place_m = parsePlace(place);
+  const auto place_m = placeOf(place);
   if (!place_m)
   {
     fmt::print(

@@ -37,6 +37,14 @@ std::filesystem::path cacheFolder()
                                           : std::filesystem::temp_directory_path() / "traverse";
 }
 
+void tellWhy(const Pilot& pilot, const std::array<double, 2>& place_m)
+{
+  for (const layers::Fact& fact : pilot.explain(place_m[0], place_m[1]))
+  {
+    fmt::print(stderr, "{}: {}\n", fact.key, fact.value);
+  }
+}
+
 ExitCode navigate(const NavCommand& command, const NavSettings& settings)
 {
   const Interrupt interrupt;
@@ -54,6 +62,10 @@ ExitCode navigate(const NavCommand& command, const NavSettings& settings)
       metricsOf(settings, pilot, result, optimum_m(settings, mission), command.seed);
   writeDrive(folder, settings, pilot, mission, result, metrics);
   folder.commit();
+  if (command.why)
+  {
+    tellWhy(pilot, *command.why);
+  }
   std::cout << textOf(metrics) << "\n";
   return result.interrupted ? Interrupt::exitCode().value_or(ExitCode::interrupted)
                             : ExitCode::done;

@@ -3,6 +3,7 @@
 #include "command_line.h"
 
 #include <traverse/common_app/parse.h>
+#include <traverse/common_app/why.h>
 
 #ifndef TRAVERSE_VERSION
 #define TRAVERSE_VERSION "unknown"
@@ -30,8 +31,17 @@ void declare(CLI::App& cli, NavCommand& command)
       ->type_name("SECTION.KEY=VALUE")
       ->expected(1)
       ->take_all();
-  cli.add_option(
-         "--why", command.why, "say on stderr what the costs at a place consist of, at the end")
+  cli.add_option_function<std::string>(
+         "--why",
+         [&](const std::string& text)
+         {
+           command.why = placeOf(text);
+           if (!command.why)
+           {
+             throw CLI::ValidationError("--why", "wants X,Y in metres, e.g. 3.5,-2; not " + text);
+           }
+         },
+         "say on stderr what the costs at a place consist of, at the end")
       ->type_name("X,Y");
   cli.add_flag("--check-config", command.check_config, "check the ini, do nothing else");
   cli.add_flag(

@@ -4,8 +4,10 @@
 
 #include <traverse/common_app/parsed.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,7 @@ struct NavCommand
   std::filesystem::path output;
   uint64_t seed = 1;
   std::vector<std::string> assignments;
-  std::string why;  //!< "X,Y": what the costs at a place consist of, at the end
+  std::optional<std::array<double, 2>> why;  //!< a place: what do its costs consist of in the end?
   bool check_config = false;
   bool print_defaults = false;
   bool force = false;

@@ -95,6 +95,34 @@ void Pilot::take(const points::Scan& scan, const poses::PoseTrack& track)
   last_scan_ = std::max(last_scan_, scan.stamp);
 }
 
+std::vector<layers::LayerSet> Pilot::layerSets(
+    const geometry::CellRect& extent, const geometry::Lattice& lattice) const
+{
+  std::vector<layers::LayerSet> sets;
+  for (const BuiltMap& map : maps_)
+  {
+    sets.push_back(map.consumer->layerSet(windowOf(extent, lattice, latticeOf(map))));
+  }
+  return sets;
+}
+
+std::vector<navigation::MapLayers> Pilot::named(const std::vector<layers::LayerSet>& sets) const
+{
+  std::vector<navigation::MapLayers> layers;
+  for (size_t i = 0; i < maps_.size(); ++i)
+  {
+    layers.push_back({maps_[i].title(), &sets[i]});
+  }
+  return layers;
+}
+
+std::vector<layers::Fact> Pilot::explain(double x_m, double y_m) const
+{
+  const std::vector<layers::LayerSet> sets = layerSets(costmap_.extent, costmap_.lattice);
+  return navigation::explainCost(
+      named(sets), costmap_, x_m, y_m, settings_.robot.vehicle, settings_.costs);
+}
+
 void Pilot::lookAtMaps(poses::TimeNs now, const geometry::Pose2& pose)
 {
   if (!has_news_ || secondsBetween(last_look_, now) < 1 / settings_.run.costmap_hz)
@@ -111,19 +139,13 @@ void Pilot::lookAtMaps(poses::TimeNs now, const geometry::Pose2& pose)
         const geometry::Lattice lattice{
             static_cast<int32_t>(geometry::toMillimetres(params.cell_size_m))};
         const geometry::CellRect extent = around(pose, lattice, params.window_m);
-        std::vector<layers::LayerSet> sets;
         for (const BuiltMap& map : maps_)
         {
           map.consumer->advance(now);
-          sets.push_back(map.consumer->layerSet(windowOf(extent, lattice, latticeOf(map))));
         }
-        std::vector<navigation::MapLayers> layers;
-        for (size_t i = 0; i < maps_.size(); ++i)
-        {
-          layers.push_back({maps_[i].title(), &sets[i]});
-        }
-        costmap_ =
-            navigation::costmapOf(layers, lattice, extent, pose, settings_.robot.vehicle, params);
+        const std::vector<layers::LayerSet> sets = layerSets(extent, lattice);
+        costmap_ = navigation::costmapOf(
+            named(sets), lattice, extent, pose, settings_.robot.vehicle, params);
       });
 }
 

@@ -52,6 +52,9 @@ class Pilot
       const geometry::Pose2& pose,
       const geometry::Twist2& motion);
 
+  /** What the costs at a place consist of, by the maps as they are; key and value. */
+  std::vector<layers::Fact> explain(double x_m, double y_m) const;
+
   const std::vector<BuiltMap>& maps() const { return maps_; }
 
   const navigation::Costmap& costmap() const { return costmap_; }
@@ -66,6 +69,9 @@ class Pilot
   const Latencies& latencies() const { return latencies_; }
 
  private:
+  std::vector<layers::LayerSet> layerSets(
+      const geometry::CellRect& extent, const geometry::Lattice& lattice) const;
+  std::vector<navigation::MapLayers> named(const std::vector<layers::LayerSet>& sets) const;
   void lookAtMaps(poses::TimeNs now, const geometry::Pose2& pose);
   void keepWay(poses::TimeNs now, const geometry::Pose2& pose);
   void followWay(const geometry::Pose2& pose);
