@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
+#include <string_view>
 #include <variant>
 
 namespace traverse::navigation
@@ -20,6 +20,11 @@ using layers::OccupancyState;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr size_t kCodes = 256;
 
+double valueOf(const Layer& layer, size_t cell)
+{
+  return std::visit([&](const auto& data) { return static_cast<double>(data[cell]); }, layer.data);
+}
+
 template <class Value>
 const std::vector<Value>* dataOf(const LayerSet& set, std::string_view name)
 {
@@ -27,32 +32,22 @@ const std::vector<Value>* dataOf(const LayerSet& set, std::string_view name)
   return layer == nullptr ? nullptr : std::get_if<std::vector<Value>>(&layer->data);
 }
 
-/** f(costmap's cell, what the map's cell says). Rules are asked once for each code, where there are
- * codes. */
-template <class F>
-void forEachSaid(const Layer& layer, const Overlap& overlap, F&& says, auto&& f)
+/** What a layer's codes say, asked once for each. */
+struct CodeTable
 {
-  std::visit(
-      [&](const auto& data)
-      {
-        using Value = typename std::remove_cvref_t<decltype(data)>::value_type;
-        if constexpr (std::is_same_v<Value, uint8_t>)
-        {
-          std::array<CellSays, kCodes> table;
-          for (size_t code = 0; code < kCodes; ++code)
-          {
-            table[code] = says(static_cast<double>(code));
-          }
-          overlap.forEach([&](size_t theirs, size_t ours) { f(ours, table[data[theirs]]); });
-        }
-        else
-        {
-          overlap.forEach([&](size_t theirs, size_t ours)
-                          { f(ours, says(static_cast<double>(data[theirs]))); });
-        }
-      },
-      layer.data);
-}
+  CodeTable(const LayerRule& rule, const CostParams& params)
+  {
+    for (size_t code = 0; code < kCodes; ++code)
+    {
+      const CellSays said = rule.says(static_cast<double>(code), params);
+      state[code] = static_cast<uint8_t>(said.state);
+      speed[code] = said.speed_mps;
+    }
+  }
+
+  std::array<uint8_t, kCodes> state;
+  std::array<float, kCodes> speed;
+};
 }  // namespace
 
 ObstacleHeights::ObstacleHeights(const LayerSet& set) :
@@ -65,8 +60,7 @@ ObstacleHeights::ObstacleHeights(const LayerSet& set) :
 
 float ObstacleHeights::at(size_t cell) const
 {
-  constexpr uint8_t kObstacle = 4;
-  if (!areKnown() || (*classes_)[cell] != kObstacle)
+  if (!isObstacle(cell))
   {
     return kNan;
   }
@@ -81,7 +75,7 @@ CostFields::CostFields(
     const CostFrame& frame,
     const geometry::Vehicle& vehicle,
     const CostParams& params) :
-    maps_(maps), vehicle_(vehicle), params_(params)
+    maps_(maps)
 {
   const auto size =
       static_cast<size_t>(frame.extent.width()) * static_cast<size_t>(frame.extent.height());
@@ -95,18 +89,15 @@ CostFields::CostFields(
   }
   for (const LayerRule& rule : layerRules())
   {
-    if (rule.is_price)
+    const std::vector<Source> sources = sourcesOf(rule.layer);
+    if (rule.ramp != nullptr)
     {
-      addPrices(rule);
+      addPrices(sources, rule.ramp(vehicle, params));
       continue;
     }
-    for (size_t i = 0; i < maps_.size(); ++i)
+    for (const Source& source : sources)
     {
-      const Layer* layer = maps_[i].set != nullptr ? maps_[i].set->find(rule.layer) : nullptr;
-      if (layer != nullptr)
-      {
-        readStates(*layer, overlaps_[i], rule);
-      }
+      readStates(source, rule, params);
     }
   }
   for (size_t i = 0; i < maps_.size(); ++i)
@@ -118,16 +109,41 @@ CostFields::CostFields(
   }
 }
 
-void CostFields::readStates(const Layer& layer, const Overlap& overlap, const LayerRule& rule)
+std::vector<CostFields::Source> CostFields::sourcesOf(std::string_view layer) const
+{
+  std::vector<Source> sources;
+  for (size_t i = 0; i < maps_.size(); ++i)
+  {
+    const Layer* found = maps_[i].set != nullptr ? maps_[i].set->find(layer) : nullptr;
+    if (found != nullptr)
+    {
+      sources.push_back({found, &overlaps_[i]});
+    }
+  }
+  return sources;
+}
+
+void CostFields::readStates(const Source& source, const LayerRule& rule, const CostParams& params)
 {
   uint8_t* const states = states_.data();
   float* const speeds = speeds_.data();
-  forEachSaid(
-      layer, overlap, [&](double value) { return rule.says(value, vehicle_, params_); },
-      [&](size_t cell, const CellSays& said)
+  if (const auto* codes = std::get_if<std::vector<uint8_t>>(&source.layer->data))
+  {
+    const CodeTable table(rule, params);
+    source.overlap->forEach(
+        [&, of = codes->data()](size_t theirs, size_t ours)
+        {
+          states[ours] = std::max(states[ours], table.state[of[theirs]]);
+          speeds[ours] = std::min(speeds[ours], table.speed[of[theirs]]);
+        });
+    return;
+  }
+  source.overlap->forEach(
+      [&](size_t theirs, size_t ours)
       {
-        states[cell] = std::max(states[cell], static_cast<uint8_t>(said.state));
-        speeds[cell] = std::min(speeds[cell], said.speed_mps);
+        const CellSays said = rule.says(valueOf(*source.layer, theirs), params);
+        states[ours] = std::max(states[ours], static_cast<uint8_t>(said.state));
+        speeds[ours] = std::min(speeds[ours], said.speed_mps);
       });
 }
 
@@ -139,50 +155,59 @@ void CostFields::readHeights(const LayerSet& set, const Overlap& overlap)
     overlap.forEach(
         [&](size_t theirs, size_t ours)
         {
-          const float height = heights.at(theirs);
-          if (!(height <= heights_[ours]) && !std::isnan(height))
+          if (heights.isObstacle(theirs))
           {
-            heights_[ours] = height;
+            heights_[ours] = std::fmax(heights_[ours], heights.at(theirs));  // NaN where both are
           }
         });
   }
-  const Layer* const occupancy = set.find("occupancy_state");
-  const auto* const codes =
-      occupancy != nullptr ? std::get_if<std::vector<uint8_t>>(&occupancy->data) : nullptr;
+  const auto* const codes = dataOf<uint8_t>(set, "occupancy_state");
   if (codes != nullptr)
   {
     overlap.forEach(
         [&](size_t theirs, size_t ours)
         {
-          if ((*codes)[theirs] == static_cast<uint8_t>(OccupancyState::negative) &&
-              std::isnan(heights_[ours]))
+          if ((*codes)[theirs] == static_cast<uint8_t>(OccupancyState::negative))
           {
-            heights_[ours] = kFallsAway;
+            heights_[ours] = std::fmax(heights_[ours], kFallsAway);
           }
         });
   }
 }
 
-void CostFields::addPrices(const LayerRule& rule)
+void CostFields::addPrices(const std::vector<Source>& sources, const PriceRamp& ramp)
 {
-  worst_.clear();
-  for (size_t i = 0; i < maps_.size(); ++i)
+  if (sources.empty())
   {
-    const Layer* layer = maps_[i].set != nullptr ? maps_[i].set->find(rule.layer) : nullptr;
-    if (layer == nullptr)
-    {
-      continue;
-    }
-    worst_.resize(prices_.size(), 0);
-    float* const worst = worst_.data();
-    forEachSaid(
-        *layer, overlaps_[i], [&](double value) { return rule.says(value, vehicle_, params_); },
-        [&](size_t cell, const CellSays& said)
-        { worst[cell] = std::max(worst[cell], said.price); });
+    return;
+  }
+  // What several cells say counts once, the worst; a single one needs no place to keep it.
+  const bool is_alone = sources.size() == 1 && sources.front().overlap->isOneToOne();
+  worst_.assign(is_alone ? 0 : prices_.size(), 0);
+  float* const prices = prices_.data();
+  float* const worst = worst_.data();
+  for (const Source& source : sources)
+  {
+    std::visit(
+        [&](const auto& data)
+        {
+          source.overlap->forEach(
+              [&, values = data.data()](size_t theirs, size_t ours)
+              {
+                const float price = ramp.at(static_cast<float>(values[theirs]));
+                if (is_alone)
+                {
+                  prices[ours] += price;
+                  return;
+                }
+                worst[ours] = std::max(worst[ours], price);
+              });
+        },
+        source.layer->data);
   }
   for (size_t i = 0; i < worst_.size(); ++i)
   {
-    prices_[i] += worst_[i];
+    prices[i] += worst[i];
   }
 }
 }  // namespace traverse::navigation

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,14 +42,20 @@ class CostFields
   std::vector<float> takeHeights() { return std::move(heights_); }
 
  private:
-  void readStates(const layers::Layer& layer, const Overlap& overlap, const LayerRule& rule);
+  /** A layer of one of the maps. */
+  struct Source
+  {
+    const layers::Layer* layer;
+    const Overlap* overlap;
+  };
+
+  std::vector<Source> sourcesOf(std::string_view layer) const;
+  void readStates(const Source& source, const LayerRule& rule, const CostParams& params);
   void readHeights(const layers::LayerSet& set, const Overlap& overlap);
-  void addPrices(const LayerRule& rule);
+  void addPrices(const std::vector<Source>& sources, const PriceRamp& ramp);
 
   std::span<const MapLayers> maps_;
   std::vector<Overlap> overlaps_;
-  const geometry::Vehicle& vehicle_;
-  const CostParams& params_;
   std::vector<uint8_t> states_;
   std::vector<float> prices_;
   std::vector<float> speeds_;
@@ -56,8 +63,8 @@ class CostFields
   std::vector<float> worst_;  //!< price of one rule, the worst of all maps
 };
 
-/** Height over the ground of what stands in a cell of a map that knows heights; NaN where it does
- * not, or the cell is no obstacle by its traversability_class. */
+/** Heights over the ground of what stands in the cells of a map that has classes and heights. Ask
+ * for cells where they are known only. */
 class ObstacleHeights
 {
  public:
@@ -65,9 +72,14 @@ class ObstacleHeights
 
   bool areKnown() const { return classes_ != nullptr && top_ != nullptr; }
 
+  bool isObstacle(size_t cell) const { return (*classes_)[cell] == kObstacleClass; }
+
+  /** m; NaN where it is not known, or no obstacle stands there. */
   float at(size_t cell) const;
 
  private:
+  static constexpr uint8_t kObstacleClass = 4;
+
   const std::vector<uint8_t>* classes_;
   const std::vector<float>* top_;
   const std::vector<float>* bottom_;

@@ -10,10 +10,9 @@ namespace traverse::navigation
 {
 namespace
 {
-using geometry::Vehicle;
 using layers::OccupancyState;
 
-CellSays occupancy(double code, const Vehicle& /*vehicle*/, const CostParams& /*params*/)
+CellSays occupancy(double code, const CostParams& /*params*/)
 {
   if (code == static_cast<double>(OccupancyState::free) ||
       code == static_cast<double>(OccupancyState::overhang))
@@ -28,7 +27,7 @@ CellSays occupancy(double code, const Vehicle& /*vehicle*/, const CostParams& /*
   return {is_negative ? OccupancyState::negative : OccupancyState::unknown};
 }
 
-CellSays traversability(double code, const Vehicle& /*vehicle*/, const CostParams& params)
+CellSays traversability(double code, const CostParams& params)
 {
   constexpr double kFlat = 1;
   constexpr double kSmall = 2;
@@ -37,7 +36,7 @@ CellSays traversability(double code, const Vehicle& /*vehicle*/, const CostParam
   if (code == kSmall || code == kLarge)
   {
     const double speed = code == kSmall ? params.small_roughness_mps : params.large_roughness_mps;
-    return {OccupancyState::free, 0, static_cast<float>(speed)};
+    return {OccupancyState::free, static_cast<float>(speed)};
   }
   if (code == kFlat)
   {
@@ -46,37 +45,31 @@ CellSays traversability(double code, const Vehicle& /*vehicle*/, const CostParam
   return {code == kObstacle ? OccupancyState::obstacle : OccupancyState::unknown};
 }
 
-CellSays outline(double code, const Vehicle& /*vehicle*/, const CostParams& /*params*/)
+CellSays outline(double code, const CostParams& /*params*/)
 {
   return {code != 0 && !std::isnan(code) ? OccupancyState::obstacle : OccupancyState::unknown};
 }
 
-/** A share of a price: nothing for NaN, all of it beyond 1. */
-CellSays priceOf(double share, double price)
-{
-  CellSays says;
-  says.price = share > 0 ? static_cast<float>(std::min(share, 1.0) * price) : 0;
-  return says;
-}
-
-CellSays index(double value, const Vehicle& /*vehicle*/, const CostParams& params)
+PriceRamp index(const geometry::Vehicle& /*vehicle*/, const CostParams& params)
 {
   constexpr double kWorst = 100;
-  return priceOf(value / kWorst, params.index_price);
+  return {static_cast<float>(params.index_price / kWorst), static_cast<float>(params.index_price)};
 }
 
-CellSays slope(double deg, const Vehicle& vehicle, const CostParams& params)
+PriceRamp slope(const geometry::Vehicle& vehicle, const CostParams& params)
 {
   constexpr double kLeast_deg = 1;  // a vehicle that takes no slope at all
-  return priceOf(deg / std::max(vehicle.max_slope_deg, kLeast_deg), params.slope_price);
+  return {
+      static_cast<float>(params.slope_price / std::max(vehicle.max_slope_deg, kLeast_deg)),
+      static_cast<float>(params.slope_price)};
 }
 
 constexpr std::array<LayerRule, 5> kRules = {
-    {{"occupancy_state", false, occupancy},
-     {"traversability_class", false, traversability},
-     {"guaranteed_outline", false, outline},
-     {"traversability_index", true, index},
-     {"slope_deg", true, slope}}};
+    {{"occupancy_state", occupancy, nullptr},
+     {"traversability_class", traversability, nullptr},
+     {"guaranteed_outline", outline, nullptr},
+     {"traversability_index", nullptr, index},
+     {"slope_deg", nullptr, slope}}};
 }  // namespace
 
 std::span<const LayerRule> layerRules()

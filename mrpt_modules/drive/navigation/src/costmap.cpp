@@ -6,6 +6,8 @@
 #include <traverse/navigation/cost_rules.h>
 #include <traverse/navigation/costmap.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace traverse::navigation
@@ -60,10 +62,10 @@ std::vector<uint8_t> zonesOf(
     return layers::safetyBuffer(states, costmap.extent.width(), buffer);
   }
   // What is planned through must keep its distance in the unknown, too.
-  std::vector<uint8_t> as_free(states.size());
-  for (size_t i = 0; i < states.size(); ++i)
+  std::vector<uint8_t> as_free = states;
+  for (uint8_t& state : as_free)
   {
-    as_free[i] = states[i] == 0 ? static_cast<uint8_t>(OccupancyState::free) : states[i];
+    state = std::max(state, static_cast<uint8_t>(OccupancyState::free));
   }
   return layers::safetyBuffer(as_free, costmap.extent.width(), buffer);
 }
@@ -85,6 +87,28 @@ Passage passageOf(uint8_t state, uint8_t zone)
   return state == static_cast<uint8_t>(OccupancyState::unknown) ? Passage::unknown : Passage::open;
 }
 
+/** What becomes of each state in each zone. */
+struct PassageTable
+{
+  static constexpr size_t kZones = 4;
+  static constexpr size_t kPlaces = 4 * kZones;  // states that CostFields knows
+
+  explicit PassageTable(const CostParams& params)
+  {
+    const auto soft = static_cast<float>(params.soft_price) - kLeastPrice;
+    const auto unseen = static_cast<float>(params.unknown_price) - kLeastPrice;
+    for (size_t place = 0; place < kPlaces; ++place)
+    {
+      const auto state = static_cast<uint8_t>(place / kZones);
+      passage[place] = passageOf(state, static_cast<uint8_t>(place % kZones));
+      price[place] = (passage[place] >= Passage::soft ? soft : 0.0F) + (state == 0 ? unseen : 0.0F);
+    }
+  }
+
+  std::array<Passage, kPlaces> passage;
+  std::array<float, kPlaces> price;
+};
+
 /** Passages, and what they and the unknown add to prices. */
 void setPassages(
     Costmap& costmap,
@@ -92,15 +116,14 @@ void setPassages(
     const std::vector<uint8_t>& zones,
     const CostParams& params)
 {
-  const auto soft = static_cast<float>(params.soft_price) - kLeastPrice;
-  const auto unseen = static_cast<float>(params.unknown_price) - kLeastPrice;
+  const PassageTable table(params);
   Passage* const passage = costmap.passage.data();
   float* const price = costmap.price.data();
   for (size_t i = 0; i < states.size(); ++i)
   {
-    const Passage here = passageOf(states[i], zones[i]);
-    passage[i] = here;
-    price[i] += (here >= Passage::soft ? soft : 0.0F) + (states[i] == 0 ? unseen : 0.0F);
+    const size_t place = states[i] * PassageTable::kZones + zones[i];
+    passage[i] = table.passage[place];
+    price[i] += table.price[place];
   }
 }
 }  // namespace

@@ -32,16 +32,16 @@ std::string joined(const std::string& a, const std::string& b)
   return a.empty() || b.empty() ? a + b : a + ", " + b;
 }
 
-std::string textOf(const CellSays& said)
+std::string textOf(const CellSays& said, float price)
 {
   std::string text(kStates.at(static_cast<size_t>(said.state)));
   if (std::isfinite(said.speed_mps))
   {
     text = joined(text, "at " + inShort(said.speed_mps) + " m/s at most");
   }
-  if (said.price > 0)
+  if (price > 0)
   {
-    text = joined(text, "price + " + inShort(said.price));
+    text = joined(text, "price + " + inShort(price));
   }
   return text.empty() ? "nothing" : text;
 }
@@ -72,24 +72,27 @@ class MapWitness
     {
       return;
     }
+    const PriceRamp ramp = rule.ramp != nullptr ? rule.ramp(vehicle, params) : PriceRamp{};
     CellSays worst;
+    float price = 0;
     std::optional<double> value;
     overlap_.forEach(
         [&](size_t theirs, size_t)
         {
           const double here = valueOf(*layer, theirs);
-          const CellSays said = rule.says(here, vehicle, params);
-          if (!value || said.state > worst.state || said.price > worst.price)
+          const CellSays said = rule.says != nullptr ? rule.says(here, params) : CellSays{};
+          const float price_here = ramp.at(static_cast<float>(here));
+          if (!value || said.state > worst.state || price_here > price)
           {
             value = here;
           }
+          price = std::max(price, price_here);
           worst.state = std::max(worst.state, said.state);
-          worst.price = std::max(worst.price, said.price);
           worst.speed_mps = std::min(worst.speed_mps, said.speed_mps);
         });
     facts.push_back(
         {map_.name + ": " + std::string(rule.layer),
-         value ? inShort(*value) + ": " + textOf(worst) : "outside of the map"});
+         value ? inShort(*value) + ": " + textOf(worst, price) : "outside of the map"});
   }
 
  private:

@@ -21,25 +21,46 @@ class Overlap
       const geometry::Lattice& lattice,
       const geometry::CellRect& extent);
 
-  /** f(place in the map's layers, place in the extent), row by row, for each pair of cells. */
+  /** f(place in the map's layers, place in the extent, n) for runs of n pairs of cells that follow
+   * each other in both, row by row. */
   template <class F>
-  void forEach(F&& f) const
+  void forEachRun(F&& f) const
   {
-    for (const Pair& row : rows_)
+    for (const Run& row : rows_)
     {
-      const size_t from = row.theirs * their_width_;
-      const size_t to = row.ours * our_width_;
-      for (const Pair& column : columns_)
+      for (size_t k = 0; k < row.length; ++k)
       {
-        f(from + column.theirs, to + column.ours);
+        const size_t from = (row.theirs + k) * their_width_;
+        const size_t to = (row.ours + k) * our_width_;
+        for (const Run& columns : columns_)
+        {
+          f(from + columns.theirs, to + columns.ours, columns.length);
+        }
       }
     }
   }
 
- private:
-  struct Pair
+  /** f(place in the map's layers, place in the extent) for each pair of cells. */
+  template <class F>
+  void forEach(F&& f) const
   {
-    size_t theirs, ours;
+    forEachRun(
+        [&](size_t theirs, size_t ours, size_t length)
+        {
+          for (size_t k = 0; k < length; ++k)
+          {
+            f(theirs + k, ours + k);
+          }
+        });
+  }
+
+  /** Each cell of the extent shares ground with one cell of the map at most. */
+  bool isOneToOne() const { return is_one_to_one_; }
+
+ private:
+  struct Run
+  {
+    size_t theirs, ours, length;
   };
 
   /** One axis: cells [min, max) of a side in millimetres. */
@@ -48,11 +69,12 @@ class Overlap
     int64_t cell_mm, min, max;
   };
 
-  static std::vector<Pair> pairs(const Axis& theirs, const Axis& ours);
+  static std::vector<Run> runs(const Axis& theirs, const Axis& ours);
 
+  bool is_one_to_one_;
   size_t their_width_;
   size_t our_width_;
-  std::vector<Pair> columns_;
-  std::vector<Pair> rows_;
+  std::vector<Run> columns_;
+  std::vector<Run> rows_;
 };
 }  // namespace traverse::navigation

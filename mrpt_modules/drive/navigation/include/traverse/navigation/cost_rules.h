@@ -38,16 +38,29 @@ namespace traverse::navigation
 struct CellSays
 {
   layers::OccupancyState state = layers::OccupancyState::unknown;  //!< unknown: nothing of it
-  float price = 0;                                                 //!< added to that of a metre
   float speed_mps = std::numeric_limits<float>::infinity();
 };
 
-/** A row of the table. */
+/** A price that grows with a value up to a most. */
+struct PriceRamp
+{
+  float per_unit = 0;
+  float most = 0;
+
+  /** 0 for NaN and below 0. */
+  float at(float value) const
+  {
+    const float price = value * per_unit;
+    return price > 0 ? (price < most ? price : most) : 0.0F;
+  }
+};
+
+/** A row of the table: says what values are, or what they cost. */
 struct LayerRule
 {
   std::string_view layer;
-  bool is_price = false;  //!< it says a price and nothing else; others say no price
-  CellSays (*says)(double value, const geometry::Vehicle&, const CostParams&) = nullptr;
+  CellSays (*says)(double value, const CostParams&) = nullptr;
+  PriceRamp (*ramp)(const geometry::Vehicle&, const CostParams&) = nullptr;
 };
 
 /** All rows. */
