@@ -71,6 +71,63 @@ TEST(Costmap, TakesASlopeAloneForNoObstacleAndNoMoreThanItsPrice)
   EXPECT_FLOAT_EQ(costmap.price[0], 3);
 }
 
+TEST(Costmap, TellsSlopesByTheGroundAroundWhereItIsKnown)
+{
+  CostParams params = withoutBuffers();
+  params.slope_price = 2;
+  layers::LayerSet square = classesOf(CostPicture(9, "111111111"));
+  std::vector<float> heights;
+  for (size_t i = 0; i < square.size(); ++i)
+  {
+    heights.push_back(0.2F * 0.2F * static_cast<float>(i % 9));
+  }
+  square.layers.push_back({"ground_height", "m", std::move(heights)});
+  withLayer(square, "slope_deg", 60);  // the noise of single cells does not count
+  const Costmap costmap = costsOf({square}, params);
+  const double steepest = geometry::tangentOf(20 * geometry::kPi / 180);
+  for (size_t i = 0; i < costmap.size(); ++i)
+  {
+    // Floats of heights up to 0.4 m, over 0.6 m.
+    ASSERT_NEAR(costmap.price[i], 1 + 2 * 0.2 / steepest, 1e-5) << "cell " << i;
+  }
+}
+
+TEST(Costmap, TellsSlopesOfWindowsAsOfWholeMaps)
+{
+  // A window's first and last columns have neighbours in the map; holes in the ground everywhere.
+  layers::LayerSet map = classesOf(CostPicture(20, std::string(20, '1')));
+  std::vector<float> heights;
+  for (uint32_t i = 0; i < map.size(); ++i)
+  {
+    const uint32_t mixed = i * 2654435761U >> 16U;
+    heights.push_back(mixed % 5 == 0 ? kNoValue : static_cast<float>(mixed % 97) / 1000);
+  }
+  map.layers.push_back({"ground_height", "m", std::move(heights)});
+  withLayer(map, "slope_deg", 7);
+  const std::vector<MapLayers> maps = {{"map", &map}};
+  const Costmap whole = costsOf({map}, withoutBuffers());
+  const Costmap part = costmapOf(
+      maps, map.lattice, {{2, 1}, {19, 18}}, kFarAway, geometry::Vehicle{}, withoutBuffers());
+  for (geometry::CellIndex c = part.extent.min; c.y < part.extent.max.y; ++c.y)
+  {
+    for (c.x = part.extent.min.x; c.x < part.extent.max.x; ++c.x)
+    {
+      ASSERT_EQ(part.price[part.indexOf(c)], whole.price[whole.indexOf(c)]) << c.x << " " << c.y;
+    }
+  }
+  // explainCost() counts cell by cell; texts have three decimals.
+  for (int32_t x = 0; x < 20; ++x)
+  {
+    const std::string told =
+        explainCost(maps, whole, 0.1 + 0.2 * x, 1.9, geometry::Vehicle{}, withoutBuffers())[2]
+            .value;
+    const size_t at = told.find("price + ");
+    ASSERT_NE(at, std::string::npos) << told;
+    EXPECT_NEAR(
+        std::stod(told.substr(at + 8)), whole.price[whole.indexOf({x, 9})] - kLeastPrice, 1e-3);
+  }
+}
+
 TEST(Costmap, PricesTheUnknownAndSoftBuffers)
 {
   CostParams params = withoutBuffers();

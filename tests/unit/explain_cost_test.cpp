@@ -48,7 +48,7 @@ TEST(ExplainCost, SaysWhatEachLayerOfEachMapAdds)
       "cell = 3, 0 of 0.2 m\n"
       "ground: traversability_class = 3: may be driven, at 0.5 m/s at most\n"
       "ground: traversability_index = 50: price + 2\n"
-      "ground: slope_deg = 10: price + 1\n"
+      "ground: slope = 10 deg by slope_deg: price + 1\n"
       "lidars: occupancy_state = 1: may be driven\n"
       "buffer = none: no obstacle within 0.4 m\n"
       "sum = open, 4 a metre, at 0.5 m/s at most\n");

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cost_fields.h"
 
+#include "ground_slope.h"
+#include "layer_data.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,18 +22,6 @@ using layers::OccupancyState;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr size_t kCodes = 256;
-
-double valueOf(const Layer& layer, size_t cell)
-{
-  return std::visit([&](const auto& data) { return static_cast<double>(data[cell]); }, layer.data);
-}
-
-template <class Value>
-const std::vector<Value>* dataOf(const LayerSet& set, std::string_view name)
-{
-  const Layer* layer = set.find(name);
-  return layer == nullptr ? nullptr : std::get_if<std::vector<Value>>(&layer->data);
-}
 
 /** What a layer's codes say, asked once for each. */
 struct CodeTable
@@ -100,6 +91,7 @@ CostFields::CostFields(
       readStates(source, rule, params);
     }
   }
+  addSlopes(vehicle, params);
   for (size_t i = 0; i < maps_.size(); ++i)
   {
     if (maps_[i].set != nullptr)
@@ -208,6 +200,33 @@ void CostFields::addPrices(const std::vector<Source>& sources, const PriceRamp& 
   for (size_t i = 0; i < worst_.size(); ++i)
   {
     prices[i] += worst[i];
+  }
+}
+
+void CostFields::addSlopes(const geometry::Vehicle& vehicle, const CostParams& params)
+{
+  worst_.clear();
+  for (size_t i = 0; i < maps_.size(); ++i)
+  {
+    const LayerSet none;
+    const GroundSlope slope(maps_[i].set != nullptr ? *maps_[i].set : none, vehicle, params);
+    if (!slope.isTold())
+    {
+      continue;
+    }
+    worst_.resize(prices_.size(), 0);
+    const auto columns = static_cast<size_t>(maps_[i].set->extent.width());
+    overlaps_[i].forEachRun(
+        [&](size_t theirs, size_t ours, size_t length)
+        {
+          slope.raise(
+              static_cast<int32_t>(theirs % columns), static_cast<int32_t>(theirs / columns),
+              length, &worst_[ours]);
+        });
+  }
+  for (size_t i = 0; i < worst_.size(); ++i)
+  {
+    prices_[i] += worst_[i];
   }
 }
 }  // namespace traverse::navigation

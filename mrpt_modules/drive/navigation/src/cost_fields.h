@@ -52,6 +52,7 @@ class CostFields
   std::vector<Source> sourcesOf(std::string_view layer) const;
   void readStates(const Source& source, const LayerRule& rule, const CostParams& params);
   void readHeights(const layers::LayerSet& set, const Overlap& overlap);
+  void addSlopes(const geometry::Vehicle& vehicle, const CostParams& params);
   void addPrices(const std::vector<Source>& sources, const PriceRamp& ramp);
 
   std::span<const MapLayers> maps_;

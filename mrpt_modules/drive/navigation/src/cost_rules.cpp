@@ -56,20 +56,11 @@ PriceRamp index(const geometry::Vehicle& /*vehicle*/, const CostParams& params)
   return {static_cast<float>(params.index_price / kWorst), static_cast<float>(params.index_price)};
 }
 
-PriceRamp slope(const geometry::Vehicle& vehicle, const CostParams& params)
-{
-  constexpr double kLeast_deg = 1;  // a vehicle that takes no slope at all
-  return {
-      static_cast<float>(params.slope_price / std::max(vehicle.max_slope_deg, kLeast_deg)),
-      static_cast<float>(params.slope_price)};
-}
-
-constexpr std::array<LayerRule, 5> kRules = {
+constexpr std::array<LayerRule, 4> kRules = {
     {{"occupancy_state", occupancy, nullptr},
      {"traversability_class", traversability, nullptr},
      {"guaranteed_outline", outline, nullptr},
-     {"traversability_index", nullptr, index},
-     {"slope_deg", nullptr, slope}}};
+     {"traversability_index", nullptr, index}}};
 }  // namespace
 
 std::span<const LayerRule> layerRules()

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cost_fields.h"
+#include "ground_slope.h"
+#include "layer_data.h"
 #include "outline.h"
+#include "overlap.h"
 #include "text.h"
 
+#include <traverse/geometry/exact_trig.h>
 #include <traverse/navigation/cost_rules.h>
 #include <traverse/navigation/costmap.h>
 
@@ -44,11 +47,6 @@ std::string textOf(const CellSays& said, float price)
     text = joined(text, "price + " + inShort(price));
   }
   return text.empty() ? "nothing" : text;
-}
-
-double valueOf(const layers::Layer& layer, size_t cell)
-{
-  return std::visit([&](const auto& data) { return static_cast<double>(data[cell]); }, layer.data);
 }
 
 /** Adds what the layers of one map say of one cell. */
@@ -93,6 +91,39 @@ class MapWitness
     facts.push_back(
         {map_.name + ": " + std::string(rule.layer),
          value ? inShort(*value) + ": " + textOf(worst, price) : "outside of the map"});
+  }
+
+  /** Of several cells of the map the steepest. */
+  void tellSlope(
+      const geometry::Vehicle& vehicle, const CostParams& params, std::vector<Fact>& facts) const
+  {
+    const GroundSlope slope(*map_.set, vehicle, params);
+    if (!slope.isTold())
+    {
+      return;
+    }
+    const layers::Layer* const own = map_.set->find("slope_deg");
+    float price = 0;
+    std::string text;
+    overlap_.forEach(
+        [&](size_t theirs, size_t)
+        {
+          const auto columns = static_cast<size_t>(map_.set->extent.width());
+          const auto column = static_cast<int32_t>(theirs % columns);
+          const auto row = static_cast<int32_t>(theirs / columns);
+          const float here = slope.priceAt(column, row);
+          if (!(here > price))
+          {
+            return;
+          }
+          price = here;
+          const double tangent = slope.tangentByGround(column, row);
+          text = std::isnan(tangent)
+                     ? inShort(valueOf(*own, theirs)) + " deg by slope_deg"
+                     : inShort(geometry::angleOf(tangent, 1) * 180 / geometry::kPi) +
+                           " deg by ground_height";
+        });
+    facts.push_back({map_.name + ": slope", price > 0 ? text + ": " + textOf({}, price) : "none"});
   }
 
  private:
@@ -235,6 +266,7 @@ std::vector<Fact> explainCost(
     {
       witness.tell(rule, vehicle, params, facts);
     }
+    witness.tellSlope(vehicle, params, facts);
   }
   if (const std::optional<Fact> stand = vehicleFact(costmap, c, vehicle))
   {

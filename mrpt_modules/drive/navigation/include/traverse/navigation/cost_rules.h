@@ -25,13 +25,15 @@
 //                           4 obstacle              obstacle, of height_max over ground_height
 //   guaranteed_outline      not 0                   obstacle
 //   traversability_index    0 .. 100                price + index_price * index / 100
-//   slope_deg               deg                     price + slope_price * slope / max_slope_deg,
-//                                                   slope_price at most
+//   ground_height           m                       price + slope_price * slope / max_slope_deg,
+//                                                   slope_price at most; slope over 1.2 m
+//   slope_deg               deg                     likewise, where ground_height is not known
 //
-// NaN says nothing, and so does a code that is not in the table. A slope alone is no obstacle: that
-// of a single cell is fitted to few points of one or two rings, and flat road shows 15 deg and more
-// (doc/maps/traversability_grid.md counts them); what is too steep to drive is the class's to say.
-// safety_buffer of a map is not read: buffers are grown anew around all maps' obstacles.
+// NaN says nothing, and so does a code that is not in the table. A slope alone is no obstacle, and
+// that of a single cell is the last resort: it is fitted to few points of one or two rings, and
+// flat road shows 15 deg and more (doc/maps/traversability_grid.md counts them). What is too steep
+// to drive is the class's to say. safety_buffer of a map is not read: buffers are grown anew around
+// all maps' obstacles.
 namespace traverse::navigation
 {
 /** What one value of a layer says of its cell. */
@@ -63,7 +65,7 @@ struct LayerRule
   PriceRamp (*ramp)(const geometry::Vehicle&, const CostParams&) = nullptr;
 };
 
-/** All rows. */
+/** All rows but those of slopes. */
 std::span<const LayerRule> layerRules();
 
 /** The hard buffer in use, m, from the middle of an obstacle's cell: CostParams::hard_buffer_m, or
