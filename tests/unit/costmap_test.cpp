@@ -260,6 +260,17 @@ TEST(Costmap, CountsAllCellsOfFinerMaps)
   EXPECT_EQ(passagesOf(costmap), (CostPicture{".#.  "}));
 }
 
+TEST(Costmap, TakesTheWorstPriceOfFinerCellsOnce)
+{
+  CostParams params = withoutBuffers();
+  params.index_price = 4;
+  layers::LayerSet fine = classesOf({"11", "11"}, 100);
+  fine.layers.push_back({"traversability_index", "1", std::vector<float>{10, 20, 50, kNoValue}});
+  const Costmap costmap = costmapOf(
+      std::vector<MapLayers>{{"fine", &fine}}, {200}, {{0, 0}, {1, 1}}, kFarAway, {}, params);
+  EXPECT_FLOAT_EQ(costmap.price[0], 3);
+}
+
 TEST(Costmap, CountsAllCellsOfMapsOnOtherLattices)
 {
   // Cells of 0.3 m over cells of 0.2 m; negative indices too.

@@ -36,8 +36,8 @@ struct CodeTable
     }
   }
 
-  std::array<uint8_t, kCodes> state;
-  std::array<float, kCodes> speed;
+  std::array<uint8_t, kCodes> state{};
+  std::array<float, kCodes> speed{};
 };
 }  // namespace
 
@@ -173,33 +173,21 @@ void CostFields::addPrices(const std::vector<Source>& sources, const PriceRamp& 
   {
     return;
   }
-  // What several cells say counts once, the worst; a single one needs no place to keep it.
-  const bool is_alone = sources.size() == 1 && sources.front().overlap->isOneToOne();
-  worst_.assign(is_alone ? 0 : prices_.size(), 0);
-  float* const prices = prices_.data();
+  worst_.assign(prices_.size(), 0);  // what several cells say counts once
   float* const worst = worst_.data();
   for (const Source& source : sources)
   {
-    std::visit(
-        [&](const auto& data)
-        {
-          source.overlap->forEach(
-              [&, values = data.data()](size_t theirs, size_t ours)
-              {
-                const float price = ramp.at(static_cast<float>(values[theirs]));
-                if (is_alone)
-                {
-                  prices[ours] += price;
-                  return;
-                }
-                worst[ours] = std::max(worst[ours], price);
-              });
-        },
-        source.layer->data);
+    const auto raise = [&](const auto& data)
+    {
+      source.overlap->forEach(
+          [&, values = data.data()](size_t theirs, size_t ours)
+          { worst[ours] = std::max(worst[ours], ramp.at(static_cast<float>(values[theirs]))); });
+    };
+    std::visit(raise, source.layer->data);
   }
   for (size_t i = 0; i < worst_.size(); ++i)
   {
-    prices[i] += worst[i];
+    prices_[i] += worst[i];
   }
 }
 

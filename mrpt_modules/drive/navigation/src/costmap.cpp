@@ -105,8 +105,8 @@ struct PassageTable
     }
   }
 
-  std::array<Passage, kPlaces> passage;
-  std::array<float, kPlaces> price;
+  std::array<Passage, kPlaces> passage{};
+  std::array<float, kPlaces> price{};
 };
 
 /** Passages, and what they and the unknown add to prices. */

@@ -38,8 +38,8 @@ GroundSlope::GroundSlope(
     own_deg_(dataOf<float>(set, "slope_deg")),
     columns_(set.extent.width()),
     rows_(set.extent.height()),
-    reach_cells_(
-        std::max<int32_t>(1, static_cast<int32_t>(kHalfBase_m / set.lattice.cell_m() + 0.5))),
+    reach_cells_(std::max<int32_t>(
+        1, static_cast<int32_t>(std::lround(kHalfBase_m / set.lattice.cell_m())))),
     reach_m_(static_cast<float>(reach_cells_ * set.lattice.cell_m())),
     price_(static_cast<float>(params.slope_price)),
     steepest_deg_(static_cast<float>(steepest_deg(vehicle))),

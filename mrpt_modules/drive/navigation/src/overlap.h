@@ -54,9 +54,6 @@ class Overlap
         });
   }
 
-  /** Each cell of the extent shares ground with one cell of the map at most. */
-  bool isOneToOne() const { return is_one_to_one_; }
-
  private:
   struct Run
   {
@@ -71,7 +68,6 @@ class Overlap
 
   static std::vector<Run> runs(const Axis& theirs, const Axis& ours);
 
-  bool is_one_to_one_;
   size_t their_width_;
   size_t our_width_;
   std::vector<Run> columns_;

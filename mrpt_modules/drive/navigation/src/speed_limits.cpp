@@ -16,7 +16,7 @@ namespace
 using geometry::CellIndex;
 using geometry::Drivetrain;
 
-constexpr double kGravity_mps2 = 9.81;
+constexpr double kGravity = 9.81;  // m/s2
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void lower(SpeedLimit& limit, double speed_mps, SpeedReason reason)
@@ -152,7 +152,7 @@ void limitByCells(
 
 Grip gripOf(const Drivetrain& drivetrain, const SpeedParams& params)
 {
-  const double sum = params.friction_margin * params.friction * kGravity_mps2;
+  const double sum = params.friction_margin * params.friction * kGravity;
   return {std::min(drivetrain.max_decel_mps2, sum), std::min(params.lateral_accel_mps2, sum), sum};
 }
 
