@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <traverse/navigation/footprint.h>
 #include <traverse/navigation/grid_path.h>
+#include <traverse/navigation/hybrid_search.h>
 #include <traverse/navigation/planner.h>
 
 #include <algorithm>
@@ -56,6 +56,47 @@ std::string hindranceAt(const Costmap& costmap, const Terrain& terrain, size_t i
       return terrain.isOpen(index) ? "" : "the price of the goal's cell is no number";
   }
 }
+
+/** Where the known ends: at the border, and at unknown cells that are not planned through; with
+ * what the straight line from there to a place costs. */
+std::vector<PriceField::Seed> endsOfTheKnown(
+    const Costmap& costmap, const Terrain& terrain, Place to)
+{
+  const auto is_beyond = [&](int32_t x, int32_t y)
+  {
+    return !costmap.extent.contains({x, y}) ||
+           (!costmap.is_unknown_planned && costmap.passageAt({x, y}) == Passage::unknown);
+  };
+  const double mean = terrain.mean();
+  std::vector<PriceField::Seed> ends;
+  for (size_t index = 0; index < terrain.size(); ++index)
+  {
+    const auto [x, y] = terrain.cell(index);
+    if (terrain.isOpen(index) &&
+        (is_beyond(x - 1, y) || is_beyond(x + 1, y) || is_beyond(x, y - 1) || is_beyond(x, y + 1)))
+    {
+      const Place place = terrain.centre(index);
+      const double dx = to.x_m - place.x_m;
+      const double dy = to.y_m - place.y_m;
+      ends.push_back({index, std::sqrt(dx * dx + dy * dy) * mean});
+    }
+  }
+  return ends;
+}
+
+bool isHybrid(const PlanParams& params, const geometry::Drivetrain& drivetrain)
+{
+  return params.planner == PlannerKind::hybrid ||
+         (params.planner == PlannerKind::fitting && geometry::minTurningRadius_m(drivetrain) > 0);
+}
+
+/** Throws options::OptionError. */
+template <class Options>
+const Options& checked(const Options& options)
+{
+  options::check(options);
+  return options;
+}
 }  // namespace
 
 class Planner::Impl
@@ -65,11 +106,11 @@ class Planner::Impl
       const geometry::Vehicle& vehicle,
       const geometry::Drivetrain& drivetrain,
       const PlanParams& params) :
-      vehicle_(vehicle), drivetrain_(drivetrain), params_(params), footprint_(vehicle)
+      params_(checked(params)),
+      is_hybrid_(isHybrid(params, checked(drivetrain))),
+      footprint_(checked(vehicle)),
+      hybrid_(vehicle, drivetrain, params)
   {
-    options::check(vehicle);
-    options::check(drivetrain);
-    options::check(params);
   }
 
   Plan plan(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal)
@@ -87,93 +128,131 @@ class Planner::Impl
       return none("the vehicle is outside the costmap");
     }
     terrain_.openWayOut(costmap, cellOf(from, terrain_.lattice()), footprint_.radius_m());
-    Plan plan =
-        isWithin(costmap, to) ? planTo(costmap, start, goal) : planTowards(costmap, start, to);
+    const bool is_within = terrain_.covers(to) &&
+                           (costmap.is_unknown_planned ||
+                            costmap.passageAt(cellOf(to, terrain_.lattice())) != Passage::unknown);
+    Plan plan = is_within ? planTo(costmap, start, goal) : planTowards(costmap, start, to);
     plan.way_out_m = wayOut_m(costmap, plan.path);
+    plan.heeds_footprint = is_hybrid_;
     return plan;
   }
 
  private:
-  /** The goal can be planned to, as far as its cell is concerned. */
-  bool isWithin(const Costmap& costmap, Place to) const
-  {
-    return terrain_.covers(to) &&
-           (costmap.is_unknown_planned ||
-            costmap.passageAt(cellOf(to, terrain_.lattice())) != Passage::unknown);
-  }
-
   Plan planTo(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal)
   {
-    const Place to = {goal.x_m, goal.y_m};
-    const geometry::CellIndex cell = cellOf(to, terrain_.lattice());
+    const geometry::CellIndex cell = cellOf({goal.x_m, goal.y_m}, terrain_.lattice());
     terrain_.openSoft(costmap, cell);
-    const std::string hindrance = hindranceAt(costmap, terrain_, terrain_.indexOf(cell));
+    const PriceField::Seed seed = {terrain_.indexOf(cell), 0};
+    const std::string hindrance = hindranceAt(costmap, terrain_, seed.index);
     if (!hindrance.empty())
     {
       return none(hindrance);
     }
-    const PriceField::Seed seed = {terrain_.indexOf(cell), 0};
     field_.start(terrain_, {&seed, 1});
-    Plan plan = follow(start, to, goal.yaw_rad);
+    if (!isReached(start))
+    {
+      return none("no way leads there");
+    }
+    Plan plan = is_hybrid_ ? byArcs(costmap, start, goal, 0) : overGround(start, goal);
     plan.is_whole = !plan.path.empty();
     return plan;
   }
 
-  /** Where the known ends: at the border, and at unknown cells that are not planned through. */
   Plan planTowards(const Costmap& costmap, const geometry::Pose2& start, Place to)
   {
-    std::vector<PriceField::Seed> seeds;
-    const geometry::CellRect& extent = costmap.extent;
-    const auto is_beyond = [&](int32_t x, int32_t y)
+    field_.start(terrain_, endsOfTheKnown(costmap, terrain_, to));
+    if (!isReached(start))
     {
-      return !extent.contains({x, y}) ||
-             (!costmap.is_unknown_planned && costmap.passageAt({x, y}) == Passage::unknown);
-    };
-    for (int32_t y = extent.min.y; y < extent.max.y; ++y)
-    {
-      for (int32_t x = extent.min.x; x < extent.max.x; ++x)
-      {
-        const size_t index = terrain_.indexOf({x, y});
-        if (terrain_.isOpen(index) && (is_beyond(x - 1, y) || is_beyond(x + 1, y) ||
-                                       is_beyond(x, y - 1) || is_beyond(x, y + 1)))
-        {
-          const Place place = terrain_.centre(index);
-          const double dx = to.x_m - place.x_m;
-          const double dy = to.y_m - place.y_m;
-          seeds.push_back({index, std::sqrt(dx * dx + dy * dy) * terrain_.mean()});
-        }
-      }
+      return none("no way leads out of what is known");
     }
-    field_.start(terrain_, seeds);
-    return follow(start, {}, {});
+    const Place end =
+        downTheField(field_, terrain_, terrain_.indexAt({start.x_m, start.y_m})).back();
+    if (!is_hybrid_)
+    {
+      return overGround(start, {end.x_m, end.y_m, {}});
+    }
+    constexpr double kLoose_m = 1.0;
+    const PriceField::Seed seed = {terrain_.indexAt(end), 0};
+    field_.start(terrain_, {&seed, 1});
+    return byArcs(costmap, start, {end.x_m, end.y_m, {}}, kLoose_m);
   }
 
-  /** Down the field to its seed, or to a place in the seed's cell. */
-  Plan follow(const geometry::Pose2& start, std::optional<Place> end, std::optional<double> yaw_rad)
+  bool isReached(const geometry::Pose2& start)
+  {
+    const size_t index = terrain_.indexAt({start.x_m, start.y_m});
+    return field_.priceFrom(index) < PriceField::kNever;
+  }
+
+  /** Down the field to its seed, to the goal in its cell. */
+  Plan overGround(const geometry::Pose2& start, const Goal& goal)
   {
     const Place from = {start.x_m, start.y_m};
-    const size_t index = terrain_.indexAt(from);
-    if (!(field_.priceFrom(index) < PriceField::kNever))
-    {
-      return none("no way leads there");
-    }
-    std::vector<Place> places = downTheField(field_, terrain_, index);
+    std::vector<Place> places = downTheField(field_, terrain_, terrain_.indexAt(from));
     places.insert(places.begin(), from);
-    places.push_back(end.value_or(places.back()));
+    places.push_back({goal.x_m, goal.y_m});
     places = resampled(shortened(terrain_, places), kStep_m);
     smooth(terrain_, places);
     Plan plan;
     plan.price = priceOf(terrain_, places);
-    plan.path = pathThrough(places, yaw_rad);
+    plan.path = pathThrough(places, goal.yaw_rad);
     return plan;
   }
 
-  geometry::Vehicle vehicle_;
-  geometry::Drivetrain drivetrain_;
+  /** `loose_m`: so far from the goal will do. */
+  Plan byArcs(
+      const Costmap& costmap, const geometry::Pose2& start, const Goal& goal, double loose_m)
+  {
+    obstacles_.set(costmap, footprint_.cells(standAt(start), costmap.lattice));
+    if (loose_m == 0 && !fitsAt(goal))
+    {
+      return none("the vehicle does not fit where the goal is");
+    }
+    HybridTask task;
+    task.terrain = &terrain_;
+    task.field = &field_;
+    task.obstacles = &obstacles_;
+    task.start = start;
+    task.goal = {goal.x_m, goal.y_m};
+    task.yaw_rad = goal.yaw_rad;
+    task.loose_m = loose_m;
+    task.last_resort_m = params_.goal_tolerance_m / 2;
+    Plan plan;
+    plan.path = hybrid_.search(task);
+    if (plan.path.empty())
+    {
+      return none(
+          hybrid_.gaveUp() ? "no way was found within most_expansions"
+                           : "the vehicle cannot turn or does not fit on the way there");
+    }
+    std::vector<Place> places;
+    for (const PathPoint& point : plan.path)
+    {
+      places.push_back({point.pose.x_m, point.pose.y_m});
+    }
+    plan.price = priceOf(terrain_, places);
+    return plan;
+  }
+
+  bool fitsAt(const Goal& goal)
+  {
+    for (int k = 0; k < (goal.yaw_rad ? 1 : HeadingBins::kHeadings); ++k)
+    {
+      const double yaw_rad = goal.yaw_rad.value_or(2 * geometry::kPi * k / HeadingBins::kHeadings);
+      if (!obstacles_.isHit(footprint_, standAt({goal.x_m, goal.y_m, yaw_rad})))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   PlanParams params_;
+  bool is_hybrid_;
   Footprint footprint_;
   Terrain terrain_;
   PriceField field_;
+  ObstacleCounts obstacles_;
+  HybridSearch hybrid_;
 };
 
 Planner::Planner(

@@ -21,6 +21,8 @@ void Terrain::set(const Costmap& costmap)
   }
   lattice_ = costmap.lattice;
   extent_ = extent;
+  least_ = {lattice_.edge_m(extent.min.x), lattice_.edge_m(extent.min.y)};
+  most_ = {lattice_.edge_m(extent.max.x), lattice_.edge_m(extent.max.y)};
   stride_ = cells == 0 ? 0 : static_cast<size_t>(extent.width()) + 2;
   highest_ = kLeastPrice;
   price_.assign(cells == 0 ? 0 : stride_ * (static_cast<size_t>(extent.height()) + 2), kClosed);
@@ -42,16 +44,6 @@ void Terrain::open(size_t index, float price)
     price_[index] = std::clamp(price, kLeastPrice, kMostPrice);
     highest_ = std::max(highest_, price_[index]);
   }
-}
-
-bool Terrain::covers(Place place) const
-{
-  return std::abs(place.x_m) <= geometry::kFarthest_m &&
-         std::abs(place.y_m) <= geometry::kFarthest_m && !extent_.empty() &&
-         place.x_m >= lattice_.edge_m(extent_.min.x) &&
-         place.y_m >= lattice_.edge_m(extent_.min.y) &&
-         place.x_m < lattice_.edge_m(extent_.max.x) && place.y_m < lattice_.edge_m(extent_.max.y) &&
-         extent_.contains(cellOf(place, lattice_));
 }
 
 geometry::CellIndex Terrain::cell(size_t index) const

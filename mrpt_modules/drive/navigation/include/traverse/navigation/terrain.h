@@ -46,7 +46,11 @@ class Terrain
   /** Cells from one row to the next. */
   size_t stride() const { return stride_; }
 
-  bool covers(Place place) const;
+  bool covers(Place place) const
+  {
+    return place.x_m >= least_.x_m && place.y_m >= least_.y_m && place.x_m < most_.x_m &&
+           place.y_m < most_.y_m && extent_.contains(cellOf(place, lattice_));
+  }
 
   /** Of a cell of the extent, or beside it. */
   size_t indexOf(geometry::CellIndex c) const
@@ -80,6 +84,8 @@ class Terrain
 
   geometry::Lattice lattice_;
   geometry::CellRect extent_;
+  Place least_;
+  Place most_;
   size_t stride_ = 0;
   float highest_ = kLeastPrice;
   std::vector<float> price_;
