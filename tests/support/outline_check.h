@@ -14,6 +14,7 @@
 // the square of each cell (with libm; nothing of the planner's).
 namespace traverse::testing
 {
+using navigation::Passage;
 using Corner = std::array<double, 2>;
 
 inline std::vector<Corner> outlineAt(const geometry::Vehicle& vehicle, const geometry::Pose2& pose)
@@ -75,15 +76,23 @@ inline bool touchesObstacle(
     double deep_m)
 {
   const std::vector<Corner> outline = outlineAt(vehicle, pose);
-  for (int32_t y = map.extent.min.y; y < map.extent.max.y; ++y)
+  const double cell_m = map.lattice.cell_m();
+  Corner least = outline.front();
+  Corner most = outline.front();
+  for (const Corner& c : outline)
   {
-    for (int32_t x = map.extent.min.x; x < map.extent.max.x; ++x)
+    least = {std::min(least[0], c[0]), std::min(least[1], c[1])};
+    most = {std::max(most[0], c[0]), std::max(most[1], c[1])};
+  }
+  for (double x0 = (std::floor(least[0] / cell_m) - 1) * cell_m; x0 < most[0] + cell_m; x0 += cell_m)
+  {
+    for (double y0 = (std::floor(least[1] / cell_m) - 1) * cell_m; y0 < most[1] + cell_m;
+         y0 += cell_m)
     {
-      const double x0 = map.lattice.edge_m(x);
-      const double y0 = map.lattice.edge_m(y);
-      const double x1 = map.lattice.edge_m(x + 1);
-      const double y1 = map.lattice.edge_m(y + 1);
-      if (map.passageAt({x, y}) == navigation::Passage::obstacle &&
+      const double x1 = x0 + cell_m;
+      const double y1 = y0 + cell_m;
+      const Passage passage = map.passageAt(map.cellAt((x0 + x1) / 2, (y0 + y1) / 2));
+      if (passage == Passage::obstacle &&
           !areApart(outline, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, deep_m))
       {
         return true;
@@ -91,5 +100,21 @@ inline bool touchesObstacle(
     }
   }
   return false;
+}
+
+/** No corner of an outline, given counter-clockwise, turns right. */
+inline bool isConvex(const std::vector<Corner>& outline)
+{
+  for (size_t k = 0; k < outline.size(); ++k)
+  {
+    const Corner& a = outline[k];
+    const Corner& b = outline[(k + 1) % outline.size()];
+    const Corner& c = outline[(k + 2) % outline.size()];
+    if ((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) <= 0)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 }  // namespace traverse::testing

@@ -27,7 +27,7 @@ struct PlanParams
   double goal_tolerance_m = 0.5;
   double reverse_price = 3;
   double turn_price = 1;
-  int most_expansions = 200000;
+  int most_expansions = 60000;
 
   friend bool operator==(const PlanParams&, const PlanParams&) = default;
 };
