@@ -1,2 +1,5 @@
 # Tests of mrpt/reactive.
+traverse_test(unit reactive_inside_test USES reactive)
+target_include_directories(unit_reactive_inside_test PRIVATE ${PROJECT_SOURCE_DIR}/mrpt_modules/mrpt/reactive/src)
 traverse_test(integration reactive_drive_test USES reactive)
+traverse_test(integration reactive_driver_test USES reactive LIBS mrpt::io)

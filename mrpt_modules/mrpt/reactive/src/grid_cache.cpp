@@ -5,6 +5,10 @@
 #include <atomic>
 #include <cstdint>
 #include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
 #include <system_error>
 #include <unistd.h>
 
@@ -13,6 +17,8 @@ namespace traverse::reactive
 namespace
 {
 namespace fs = std::filesystem;
+
+constexpr const char* kSums = "sums.txt";
 
 /** FNV-1a of 64 bits. */
 uint64_t hashOf(std::string_view text)
@@ -24,13 +30,44 @@ uint64_t hashOf(std::string_view text)
   }
   return hash;
 }
+
+std::string textOf(const fs::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/** A line for each grid, with its check sum. */
+std::string sumsOf(const fs::path& folder)
+{
+  std::map<std::string, uint64_t> sums;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    if (entry.path().filename() != kSums)
+    {
+      sums[entry.path().filename().string()] = hashOf(textOf(entry.path()));
+    }
+  }
+  std::string text;
+  for (const auto& [name, sum] : sums)
+  {
+    text += fmt::format("{:016x} {}\n", sum, name);
+  }
+  return text;
+}
 }  // namespace
 
 GridCache::GridCache(const fs::path& cache, std::string_view ini) :
     kept_(cache / fmt::format("{:016x}", hashOf(ini))), folder_(kept_)
 {
   static std::atomic<int> counter = 0;
-  if (!fs::exists(kept_))
+  const bool is_kept = fs::exists(kept_);
+  const bool is_whole = is_kept && sumsOf(kept_) == textOf(kept_ / kSums);
+  if (is_kept && !is_whole)
+  {
+    fs::remove_all(kept_);
+  }
+  if (!is_whole)
   {
     folder_ += fmt::format(".{}.{}.partial", getpid(), counter++);
     fs::create_directories(folder_);
@@ -48,6 +85,11 @@ GridCache::~GridCache()
 
 void GridCache::keep()
 {
+  if (folder_ == kept_)
+  {
+    return;
+  }
+  std::ofstream(folder_ / kSums, std::ios::binary) << sumsOf(folder_);
   std::error_code error;
   fs::rename(folder_, kept_, error);
   if (!error)

@@ -9,7 +9,7 @@ namespace traverse::reactive
 {
 /** Where MRPT keeps the collision grids of one ini: a folder in the cache of its own, as MRPT's
  * file names say nothing of the vehicle. A new folder comes into being whole or not at all, also
- * where two programs make it at once. */
+ * where two programs make it at once; a damaged one is made anew, as MRPT would tell stderr. */
 class GridCache
 {
  public:

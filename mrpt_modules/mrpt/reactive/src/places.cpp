@@ -20,8 +20,8 @@ bool isInTurningCircle(const Eigen::Vector2d& p, double radius_m)
 }
 }  // namespace
 
-Places::Places(std::vector<Eigen::Vector2d> places, double turning_radius_m, double near_m) :
-    places_(std::move(places)), turning_radius_m_(turning_radius_m), near_m_(near_m)
+Places::Places(std::vector<Eigen::Vector2d> places, const Limits& limits_m) :
+    places_(std::move(places)), limits_m_(limits_m)
 {
   for (const Eigen::Vector2d& place : places_)
   {
@@ -42,6 +42,12 @@ bool Places::goOn(const geometry::Pose2& pose)
   return next_ != before;
 }
 
+bool Places::isOver(const geometry::Pose2& pose) const
+{
+  return next_ + 1 == places_.size() &&
+         (places_.back() - Eigen::Vector2d(pose.x_m, pose.y_m)).norm() < limits_m_.goal_tolerance;
+}
+
 bool Places::isPassed(size_t n, const geometry::Pose2& pose) const
 {
   const Eigen::Vector2d to_place = places_[n] - Eigen::Vector2d(pose.x_m, pose.y_m);
@@ -49,16 +55,14 @@ bool Places::isPassed(size_t n, const geometry::Pose2& pose) const
   const Eigen::Vector2d p_vehicle(
       yaw.cos * to_place.x() + yaw.sin * to_place.y(),
       yaw.cos * to_place.y() - yaw.sin * to_place.x());
-  if (to_place.norm() > near_m_ + 2 * turning_radius_m_)
-  {
-    return false;
-  }
-  if (isInTurningCircle(p_vehicle, turning_radius_m_))
+  if (to_place.norm() < limits_m_.tolerance ||
+      isInTurningCircle(p_vehicle, limits_m_.turning_radius))
   {
     return true;
   }
   // Beyond the lines through the place across the way to it and across the way from it.
   const bool has_come = n == 0 || to_place.dot(places_[n] - places_[n - 1]) < 0;
-  return to_place.norm() < near_m_ && has_come && to_place.dot(places_[n + 1] - places_[n]) < 0;
+  return to_place.norm() < limits_m_.near && has_come &&
+         to_place.dot(places_[n + 1] - places_[n]) < 0;
 }
 }  // namespace traverse::reactive

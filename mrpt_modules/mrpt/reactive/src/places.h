@@ -19,13 +19,19 @@ class Places
  public:
   Places() = default;
 
-  /** turning_radius_m: smallest of the vehicle; near_m: further off, a place is not passed. Throws
-   * std::invalid_argument where a place is not finite. */
-  Places(std::vector<Eigen::Vector2d> places, double turning_radius_m, double near_m);
+  /** When a place counts as reached, or passed, m. */
+  struct Limits
+  {
+    double turning_radius = 0;  //!< smallest of the vehicle
+    double tolerance = 0;       //!< so near a place is reached
+    double goal_tolerance = 0;  //!< likewise the last one
+    double near = 0;            //!< what is further off is not passed
+  };
+
+  /** Throws std::invalid_argument where a place is not finite. */
+  Places(std::vector<Eigen::Vector2d> places, const Limits& limits_m);
 
   bool empty() const { return places_.empty(); }
-
-  bool isOver() const { return next_ >= places_.size(); }
 
   size_t next() const { return next_; }
 
@@ -33,18 +39,18 @@ class Places
 
   const Eigen::Vector2d& operator[](size_t n) const { return places_[n]; }
 
-  void setNext(size_t next) { next_ = next; }
-
   /** Goes on to the next place that still lies before the vehicle; the last one is never passed
    * so. Returns whether the next place is another one now. */
   bool goOn(const geometry::Pose2& pose);
+
+  /** Whether the last place is next, and reached. */
+  bool isOver(const geometry::Pose2& pose) const;
 
  private:
   bool isPassed(size_t n, const geometry::Pose2& pose) const;
 
   std::vector<Eigen::Vector2d> places_;
   size_t next_ = 0;
-  double turning_radius_m_ = 0;
-  double near_m_ = 0;
+  Limits limits_m_;
 };
 }  // namespace traverse::reactive

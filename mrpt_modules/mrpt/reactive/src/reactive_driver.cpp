@@ -11,17 +11,26 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <optional>
 
 namespace traverse::reactive
 {
 namespace
 {
-bool isFinite(const Senses& senses)
+// Further off than any map; squares of it are still numbers.
+constexpr double kFarthest_m = 1e8;
+
+// Corrections of a pose that are no jump.
+constexpr double kJump_m = 0.2;
+
+bool isSane(const Senses& senses)
 {
-  return std::isfinite(senses.pose.x_m) && std::isfinite(senses.pose.y_m) &&
-         std::isfinite(senses.pose.yaw_rad) && std::isfinite(senses.motion.speed_mps) &&
-         std::isfinite(senses.motion.yaw_rate_radps);
+  const double numbers[] = {
+      senses.pose.x_m, senses.pose.y_m, senses.pose.yaw_rad, senses.motion.speed_mps,
+      senses.motion.yaw_rate_radps};
+  return std::all_of(
+      std::begin(numbers), std::end(numbers), [](double n) { return std::abs(n) < kFarthest_m; });
 }
 
 /** Why it finds no motion, or gave up. */
@@ -67,8 +76,10 @@ class ReactiveDriver::Impl
   void follow(const std::vector<Eigen::Vector2d>& places)
   {
     places_ = Places(
-        places, geometry::minTurningRadius_m(drivetrain_),
-        params_.waypoint_spacing_m + params_.waypoint_tolerance_m);
+        places, {.turning_radius = geometry::minTurningRadius_m(drivetrain_),
+                 .tolerance = params_.waypoint_tolerance_m,
+                 .goal_tolerance = params_.goal_tolerance_m,
+                 .near = params_.waypoint_spacing_m + params_.waypoint_tolerance_m});
     is_sent_ = false;
     has_arrived_ = false;
   }
@@ -83,18 +94,24 @@ class ReactiveDriver::Impl
     {
       return {{}, Outcome::arrived, ""};
     }
-    if (!isFinite(senses))
+    if (!isSane(senses))
     {
-      return {{}, Outcome::failed, "the pose or motion is not finite"};
+      return {{}, Outcome::failed, "the pose or motion is none that a vehicle can have"};
     }
-    if (last_time_ && senses.now <= *last_time_)
+    if (!isContinued(senses))
     {
       navigator_->forgetPoses();
+      is_sent_ = false;
     }
-    last_time_ = senses.now;
+    last_ = {senses.now, senses.pose};
     if (places_.goOn(senses.pose))
     {
       is_sent_ = false;
+    }
+    if (places_.isOver(senses.pose))
+    {
+      has_arrived_ = true;
+      return {{}, Outcome::arrived, ""};
     }
     const SimulatedClock clock(senses.now);
     senses_.show(senses);
@@ -104,6 +121,21 @@ class ReactiveDriver::Impl
   const std::string& ini() const { return ini_; }
 
  private:
+  /** Whether the vehicle can have come here from where it was in the last step. MRPT's navigator
+   * takes the line between the two as its way, and what lies on it as reached. */
+  bool isContinued(const Senses& senses) const
+  {
+    if (!last_ || senses.now <= last_->time)
+    {
+      return false;
+    }
+    const double most_m =
+        kJump_m + 2 * drivetrain_.max_speed_mps * poses::secondsBetween(last_->time, senses.now);
+    const double x_m = senses.pose.x_m - last_->pose.x_m;
+    const double y_m = senses.pose.y_m - last_->pose.y_m;
+    return x_m * x_m + y_m * y_m <= most_m * most_m;
+  }
+
   /** One step of MRPT's navigator; what it threw or stopped for. */
   std::string navigate()
   {
@@ -115,14 +147,15 @@ class ReactiveDriver::Impl
         send(navigator);
       }
       navigator.navigationStep();
+      if (navigator.getCurrentState() == mrpt::nav::CAbstractNavigator::IDLE)
+      {
+        send(navigator);  // it saw the goal on its way from the last step, and is beyond it now
+        navigator.navigationStep();
+      }
     }
     catch (const std::exception& error)
     {
       return error.what();
-    }
-    if (senses_.events().reached >= 0)
-    {
-      places_.setNext(sent_from_ + static_cast<size_t>(senses_.events().reached) + 1);
     }
     return senses_.events().error;
   }
@@ -140,7 +173,6 @@ class ReactiveDriver::Impl
     navigator.cancel();
     navigator.resetNavError();
     navigator.navigateWaypoints(sequence);
-    sent_from_ = places_.next();
     is_sent_ = true;
   }
 
@@ -148,11 +180,6 @@ class ReactiveDriver::Impl
   {
     const StepEvents& events = senses_.events();
     const auto& navigator = navigator_->mrptNavigator();
-    if (events.has_ended || places_.isOver())
-    {
-      has_arrived_ = true;
-      return {{}, Outcome::arrived, ""};
-    }
     if (!error.empty() || navigator.getCurrentState() == mrpt::nav::CAbstractNavigator::NAV_ERROR)
     {
       is_sent_ = false;
@@ -162,7 +189,8 @@ class ReactiveDriver::Impl
     {
       return {{}, Outcome::no_motion, whyNot(events, senses.obstacles.size())};
     }
-    return {held(*events.twist, senses.speed_limit_mps), Outcome::driving, ""};
+    const std::string text = events.touches ? whyNot(events, senses.obstacles.size()) : "";
+    return {held(*events.twist, senses.speed_limit_mps), Outcome::driving, text};
   }
 
   /** Slowed down along its arc to what is allowed, and turning no tighter than a car can. */
@@ -185,16 +213,21 @@ class ReactiveDriver::Impl
     return twist;
   }
 
+  struct Seen
+  {
+    poses::TimeNs time;
+    geometry::Pose2 pose;
+  };
+
   geometry::Drivetrain drivetrain_;
   ReactiveParams params_;
   std::string ini_;
   SensesInterface senses_;
   std::unique_ptr<WatchedNavigator> navigator_;
   Places places_;
-  size_t sent_from_ = 0;  // of places_, the first that MRPT's navigator has
   bool is_sent_ = false;
   bool has_arrived_ = false;
-  std::optional<poses::TimeNs> last_time_;
+  std::optional<Seen> last_;
 };
 
 ReactiveDriver::ReactiveDriver(

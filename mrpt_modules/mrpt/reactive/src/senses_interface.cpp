@@ -103,11 +103,10 @@ bool SensesInterface::changeSpeedsNOP()
   return true;
 }
 
-bool SensesInterface::stop(bool is_emergency)
+bool SensesInterface::stop(bool)
 {
   last_twist_ = {};
   events_.twist.reset();
-  events_.stops_at_once |= is_emergency;
   return true;
 }
 

@@ -15,12 +15,9 @@ namespace traverse::reactive
 struct StepEvents
 {
   std::optional<geometry::Twist2> twist;  //!< the command, if there was one
-  bool stops_at_once = false;             //!< stop(true): no trajectory is free
-  bool has_ended = false;                 //!< the last way-point is reached
   bool way_blocked = false;               //!< it has come no nearer for long
   bool target_blocked = false;            //!< an obstacle stands on the target
   bool touches = false;                   //!< an obstacle point lies in the vehicle's outline
-  int reached = -1;                       //!< last way-point passed
   std::string error;                      //!< of its emergency stop
 };
 
@@ -63,9 +60,9 @@ class SensesInterface : public mrpt::nav::CRobot2NavInterface
 
   void sendNavigationStartEvent() override {}
 
-  void sendNavigationEndEvent() override { events_.has_ended = true; }
+  void sendNavigationEndEvent() override {}
 
-  void sendWaypointReachedEvent(int index, bool) override { events_.reached = index; }
+  void sendWaypointReachedEvent(int, bool) override {}
 
   void sendNewWaypointTargetEvent(int) override {}
 
