@@ -126,17 +126,31 @@ TEST_F(ReactiveDriver, SaysWithinASecondThatAClosedRoomHasNoWayOut)
       EXPECT_EQ(command.outcome, Outcome::no_motion);
       EXPECT_EQ(command.twist.speed_mps, 0);
       EXPECT_EQ(command.twist.yaw_rate_radps, 0);
-      EXPECT_EQ(command.text, "no trajectory is free, among 84 obstacle points");
+      EXPECT_EQ(
+          command.text,
+          "no trajectory to the next place is free: 84 obstacle points, 0 of them in the outline");
     }
   }
 }
 
-TEST_F(ReactiveDriver, SaysThatAnObstacleIsInItsOutline)
+TEST_F(ReactiveDriver, SaysThatObstaclesAreInItsOutline)
 {
   make();
   driver->follow({{2, 0}});
-  senses.obstacles = rimsSeenFrom({}, {{{0, 0}, 0.15}}, 1);
-  EXPECT_EQ(stepAfter(0.1).text, "one of 10 obstacle points lies in the vehicle's outline");
+  closeIn(0.3F);
+  senses.obstacles.insert(senses.obstacles.end(), {{0.3F, 0, 0.3F}, {-0.1F, 0.2F, 0.3F}});
+  EXPECT_EQ(
+      stepAfter(0.1).text,
+      "no trajectory to the next place is free: 86 obstacle points, 2 of them in the outline");
+}
+
+TEST_F(ReactiveDriver, DoesNotDriveToAnObstacleOnTheGoal)
+{
+  make();
+  const std::vector<Disc> discs = {{{3, 0}, 0.3}};
+  const Drive drive = driveAmong(discs, {{1, 0}, {2, 0}, {3, 0}}, *driver, vehicle, 20);
+  EXPECT_NE(drive.outcome, Outcome::arrived);
+  EXPECT_GT(drive.least_clearance_m, 0);
 }
 
 // What MRPT 2.5.8 does wrong, each seen to fail without what sets it right.

@@ -33,22 +33,25 @@ bool isSane(const Senses& senses)
       std::begin(numbers), std::end(numbers), [](double n) { return std::abs(n) < kFarthest_m; });
 }
 
-/** Why it finds no motion, or gave up. */
-std::string whyNot(const StepEvents& events, size_t obstacles)
+/** How many of the points lie in the vehicle's outline: an even-odd count of its edges. */
+size_t countInside(const geometry::Vehicle& vehicle, const std::vector<Eigen::Vector3f>& points)
 {
-  if (events.target_blocked)
+  const auto& xs = vehicle.footprint_xs_m;
+  const auto& ys = vehicle.footprint_ys_m;
+  const auto isInside = [&](const Eigen::Vector3f& p)
   {
-    return "an obstacle stands on the place that it drives to";
-  }
-  if (events.way_blocked)
-  {
-    return "it has come no nearer to the place that it drives to for 30 s";
-  }
-  if (events.touches)
-  {
-    return fmt::format("one of {} obstacle points lies in the vehicle's outline", obstacles);
-  }
-  return fmt::format("no trajectory is free, among {} obstacle points", obstacles);
+    bool is_inside = false;
+    for (size_t i = 0, j = xs.size() - 1; i < xs.size(); j = i++)
+    {
+      if ((ys[i] > p.y()) != (ys[j] > p.y()) &&
+          p.x() < xs[i] + (p.y() - ys[i]) / (ys[j] - ys[i]) * (xs[j] - xs[i]))
+      {
+        is_inside = !is_inside;
+      }
+    }
+    return is_inside;
+  };
+  return static_cast<size_t>(std::count_if(points.begin(), points.end(), isInside));
 }
 }  // namespace
 
@@ -61,6 +64,7 @@ class ReactiveDriver::Impl
       const ReactiveParams& params,
       const std::filesystem::path& cache,
       const std::filesystem::path& log_folder) :
+      vehicle_(vehicle),
       drivetrain_(drivetrain),
       params_(params),
       ini_(reactive::navigatorIni(vehicle, drivetrain, params)),
@@ -183,14 +187,30 @@ class ReactiveDriver::Impl
     if (!error.empty() || navigator.getCurrentState() == mrpt::nav::CAbstractNavigator::NAV_ERROR)
     {
       is_sent_ = false;
-      return {{}, Outcome::failed, error.empty() ? whyNot(events, senses.obstacles.size()) : error};
+      return {{}, Outcome::failed, error.empty() ? whyNot(senses) : error};
     }
     if (!events.twist)
     {
-      return {{}, Outcome::no_motion, whyNot(events, senses.obstacles.size())};
+      return {{}, Outcome::no_motion, whyNot(senses)};
     }
-    const std::string text = events.touches ? whyNot(events, senses.obstacles.size()) : "";
-    return {held(*events.twist, senses.speed_limit_mps), Outcome::driving, text};
+    return {held(*events.twist, senses.speed_limit_mps), Outcome::driving, ""};
+  }
+
+  /** Why it finds no motion, or gave up. */
+  std::string whyNot(const Senses& senses)
+  {
+    if (senses_.events().target_blocked)
+    {
+      return "an obstacle stands on the place that it drives to";
+    }
+    if (senses_.events().way_blocked)
+    {
+      return "it has come no nearer to the place that it drives to for 30 s";
+    }
+    const size_t inside = countInside(vehicle_, senses.obstacles);
+    return fmt::format(
+        "no trajectory to the next place is free: {} obstacle points, {} of them in the outline",
+        senses.obstacles.size(), inside);
   }
 
   /** Slowed down along its arc to what is allowed, and turning no tighter than a car can. */
@@ -219,6 +239,7 @@ class ReactiveDriver::Impl
     geometry::Pose2 pose;
   };
 
+  geometry::Vehicle vehicle_;
   geometry::Drivetrain drivetrain_;
   ReactiveParams params_;
   std::string ini_;

@@ -17,7 +17,6 @@ struct StepEvents
   std::optional<geometry::Twist2> twist;  //!< the command, if there was one
   bool way_blocked = false;               //!< it has come no nearer for long
   bool target_blocked = false;            //!< an obstacle stands on the target
-  bool touches = false;                   //!< an obstacle point lies in the vehicle's outline
   std::string error;                      //!< of its emergency stop
 };
 
@@ -70,7 +69,7 @@ class SensesInterface : public mrpt::nav::CRobot2NavInterface
 
   void sendWaySeemsBlockedEvent() override { events_.way_blocked = true; }
 
-  void sendApparentCollisionEvent() override { events_.touches = true; }
+  void sendApparentCollisionEvent() override {}
 
   void sendCannotGetCloserToBlockedTargetEvent() override { events_.target_blocked = true; }
 
