@@ -33,10 +33,9 @@ void addCars(MissionWorld& world)
     const double y = kRowYs[random.index(4)];
     const double stall = random.index(kStalls) + 0.5;
     const double x = -kRows_m + stall * kStall_m + random.uniform(-0.15, 0.15);
+    const Eigen::Vector2d at(x, y + random.uniform(-0.1, 0.1));
     const double looks = random.chance(0.5) ? 90 : -90;
-    ObjectParams car = standingAt(
-        object(ObjectKind::vehicle), {x, y + random.uniform(-0.1, 0.1)},
-        looks + random.uniform(-3, 3));
+    ObjectParams car = standingAt(object(ObjectKind::vehicle), at, looks + random.uniform(-3, 3));
     car.length_m = rounded(random, 3.7, 4.9);
     car.width_m = rounded(random, 1.6, 1.9);
     car.height_m = rounded(random, 1.35, 1.9);

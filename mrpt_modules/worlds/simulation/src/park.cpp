@@ -73,7 +73,8 @@ Line windingPath(const SceneExtentParams& e, Random random)
   const Eigen::Vector2d to(e.max_x_m - kCorner_m, e.max_y_m - kCorner_m);
   const Eigen::Vector2d way = to - from;
   const Eigen::Vector2d left = Eigen::Vector2d(-way.y(), way.x()) / std::sqrt(way.dot(way));
-  const double wide_m = random.uniform(5, 9) * (random.chance(0.5) ? 1 : -1);
+  const double side = random.chance(0.5) ? 1 : -1;
+  const double wide_m = side * random.uniform(5, 9);
   const double waves = random.uniform(1, 1.6);
   const double phase = random.uniform(0, 2 * geometry::kPi);
   Line line;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 // Rows of racks in a hall, two blocks each, with aisles of 3 m between them; people go to and fro
 // along one side of an aisle, and leave the other one to vehicles.
@@ -104,12 +105,13 @@ void addPeople(MissionWorld& world, const Hall& hall)
   constexpr double kEnd_m = 1.5;
   Random random = world.randomFor(Purpose::walkers);
   const double middle_x = (world.area().min_x_m + world.area().max_x_m) / 2;
-  const int slots = std::max(0, hall.rows - 1) * 2;
-  const int n = std::min(slots, about(world.asks().people, random));
-  const int first = slots > 0 ? static_cast<int>(random.index(static_cast<uint32_t>(slots))) : 0;
-  for (int i = 0; i < n; ++i)
+  std::vector<int> slots(static_cast<size_t>(std::max(0, hall.rows - 1)) * 2);
+  std::iota(slots.begin(), slots.end(), 0);
+  for (int left = about(world.asks().people, random); left > 0 && !slots.empty(); --left)
   {
-    const int slot = (first + i * 3 + i * 3 / std::max(1, slots)) % slots;
+    const auto chosen = slots.begin() + random.index(static_cast<uint32_t>(slots.size()));
+    const int slot = *chosen;
+    slots.erase(chosen);
     const double block = slot % 2 == 0 ? -1 : 1;
     const double y = hall.aisleY(slot / 2) + (random.chance(0.5) ? kLane_m : -kLane_m);
     const Eigen::Vector2d a(middle_x + block * (hall.inner_m + kEnd_m), y);
@@ -145,7 +147,7 @@ void addPallets(MissionWorld& world)
 
 void addWarehouse(SceneParams& scene, uint64_t seed)
 {
-  MissionWorld world(scene, seed, {30, 16});
+  MissionWorld world(scene, seed, {30, 20});  // three rows of racks and more
   const Hall hall = hallIn(world.area(), world.randomFor(0));
   const double middle_x = (world.area().min_x_m + world.area().max_x_m) / 2;
   world.addBorder(3);
@@ -153,14 +155,16 @@ void addWarehouse(SceneParams& scene, uint64_t seed)
   Random random = world.randomFor(Purpose::places);
   const auto aisles = static_cast<uint32_t>(hall.rows - 1);
   const double side = random.chance(0.5) ? 1 : -1;
-  const int first = static_cast<int>(random.index(aisles));
-  const int second = static_cast<int>(random.index(aisles));
-  const int third = static_cast<int>(random.index(aisles));
-  world.setMission(
-      {{middle_x - side * hall.crossX(), hall.aisleY(first)},
-       {middle_x + side * hall.crossX(), hall.aisleY(second)},
-       {middle_x, hall.aisleY(third) + (third == second ? hall.depth_m + kAisle_m : 0.0)},
-       {middle_x - side * hall.crossX(), hall.aisleY(second)}});
+  const uint32_t first = random.index(aisles);
+  const uint32_t second = (first + 1 + random.index(aisles - 1)) % aisles;
+  const uint32_t third = (second + 1 + random.index(aisles - 1)) % aisles;
+  const uint32_t last = (first + 1 + random.index(aisles - 1)) % aisles;
+  const auto place = [&](double share, uint32_t aisle)
+  {
+    return Eigen::Vector2d(
+        middle_x + share * side * hall.crossX(), hall.aisleY(static_cast<int>(aisle)));
+  };
+  world.setMission({place(-1, first), place(1, second), place(0, third), place(-1, last)});
   addPeople(world, hall);
   addPallets(world);
   world.proposeDrive();
