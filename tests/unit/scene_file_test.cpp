@@ -60,11 +60,27 @@ TEST(SceneFile, RefusesWhatItDoesNotKnow)
       std::string::npos);
   for (const char* section :
        {"Object_1", "Object_x", "Objects", "Terrain_", "Terrain00", "Scenes", "Random_2",
-        "Object_02"})
+        "Missions", "Object_02"})
   {
     const std::string message = refusal(std::string("[") + section + "]\nkind = box\n");
     EXPECT_NE(message.find(section), std::string::npos) << section << ": " << message;
   }
+}
+
+TEST(SceneFile, ReadsMissions)
+{
+  const MissionParams mission = read(
+                                    "[Mission]\nstart_x_m = 1\nstart_yaw_deg = 90\n"
+                                    "goal_xs_m = 5 5\ngoal_ys_m = 0 3\n")
+                                    .mission;
+  EXPECT_DOUBLE_EQ(startOf(mission).yaw_rad, M_PI / 2);
+  const std::vector<geometry::Pose2> goals = goalsOf(mission);
+  ASSERT_EQ(goals.size(), 2U);
+  EXPECT_EQ(goals.at(0).x_m, 5);
+  EXPECT_DOUBLE_EQ(goals.at(0).yaw_rad, 0);  // as it comes from the start
+  EXPECT_DOUBLE_EQ(goals.at(1).yaw_rad, M_PI / 2);
+  EXPECT_TRUE(goalsOf(read("").mission).empty());
+  EXPECT_THROW(goalsOf(read("[Mission]\ngoal_xs_m = 1\n").mission), options::OptionError);
 }
 
 TEST(SceneFile, WritesOnlyTextsThatReadBack)
@@ -91,8 +107,8 @@ TEST(SceneFile, ScenesOfTheProjectCanBeBuilt)
 {
   const std::filesystem::path folder = std::filesystem::path(TRAVERSE_SOURCE_DIR) / "ini/scenes";
   for (const char* name :
-       {"street", "fence_and_grass", "ditches", "overhangs", "paper_3", "paper_5", "clutter", "park",
-        "tunnel", "warehouse", "icy_lot"})
+       {"street", "fence_and_grass", "ditches", "overhangs", "paper_3", "paper_5", "clutter",
+        "park", "tunnel", "warehouse", "icy_lot"})
   {
     const auto ini = config::IniDocument::fromFile(folder / (std::string(name) + ".ini"));
     const Scene scene = buildScene(generate(simulating::readScene(ini), 1));
