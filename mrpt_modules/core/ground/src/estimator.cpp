@@ -59,6 +59,23 @@ std::span<const Verdict> Estimator::estimate(
     const geometry::CellRect& window,
     const Params& params)
 {
+  spread(columns, seeds, lattice, window, params);
+  if (columns.empty() || seeds.empty() || window.empty())
+  {
+    work_->verdicts.assign(columns.size(), {});
+    return work_->verdicts;
+  }
+  work_->surfaces.judge(work_->grid, params, work_->verdicts);
+  return work_->verdicts;
+}
+
+void Estimator::spread(
+    std::span<const Column> columns,
+    std::span<const Seed> seeds,
+    const geometry::Lattice& lattice,
+    const geometry::CellRect& window,
+    const Params& params)
+{
   if (work_ == nullptr)  // moved from
   {
     work_ = std::make_unique<WorkSpace>();
@@ -66,15 +83,12 @@ std::span<const Verdict> Estimator::estimate(
   if (columns.empty() || seeds.empty() || window.empty())
   {
     work_->grid.reset({}, lattice, {}, params.patch_m);
-    work_->verdicts.assign(columns.size(), {});
-    return work_->verdicts;
+    return;
   }
   work_->grid.reset(columns, lattice, window, params.patch_m);
   work_->seeds.assign(seeds.begin(), seeds.end());
   std::sort(work_->seeds.begin(), work_->seeds.end(), isBefore);
   Spread(work_->grid, params).from(work_->seeds);
-  work_->surfaces.judge(work_->grid, params, work_->verdicts);
-  return work_->verdicts;
 }
 
 PatchPlane Estimator::planeAt(geometry::CellIndex cell) const

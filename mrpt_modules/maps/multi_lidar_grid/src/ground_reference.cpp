@@ -188,7 +188,7 @@ void GroundReference::add(const BeamPoints& points, const CellRect& region, cons
   const Eigen::Vector3d p = stand.T_map_base.translation();
   const ground::Seed seed = {p.x(),         p.y(),         static_cast<float>(under.z_m),
                              under.slope_x, under.slope_y, kStand_m};
-  estimator_.estimate(columns_, {&seed, 1}, coarse_, coarseWindow(region), params_);
+  estimator_.spread(columns_, {&seed, 1}, coarse_, coarseWindow(region), params_);
   take(region, stand);
 }
 

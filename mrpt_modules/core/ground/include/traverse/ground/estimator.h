@@ -45,7 +45,15 @@ class Estimator
       const geometry::CellRect& window,
       const Params& params);
 
-  /** What the last estimate() left in the patch of a cell. */
+  /** The patches alone, at half the cost: no column is judged. */
+  void spread(
+      std::span<const Column> columns,
+      std::span<const Seed> seeds,
+      const geometry::Lattice& lattice,
+      const geometry::CellRect& window,
+      const Params& params);
+
+  /** What the last estimate() or spread() left in the patch of a cell. */
   PatchPlane planeAt(geometry::CellIndex cell) const;
 
   static constexpr int64_t kMostPatches = 100'000'000;
