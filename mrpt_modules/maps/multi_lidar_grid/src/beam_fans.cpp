@@ -5,6 +5,7 @@
 #include <traverse/geometry/exact_trig.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace traverse::multi_lidar_grid
@@ -140,7 +141,8 @@ void BeamFans::collect(const points::Scan& scan, const BeamPoints& points)
 {
   layOut(scan, points);
   const auto rows = static_cast<size_t>(rows_);
-  table_.assign(static_cast<size_t>(fans_) * rows, {});
+  table_.resize(static_cast<size_t>(fans_) * rows);
+  has_beam_.assign(static_cast<size_t>(fans_), {});
   steepest_ = 0;
   const bool has_times = scan.time_s.size() == points.size;
   for (size_t i = 0; i < points.size; ++i)
@@ -152,10 +154,11 @@ void BeamFans::collect(const points::Scan& scan, const BeamPoints& points)
     const size_t fan = fanOf(points.turn[i]);
     const size_t row = has_rings_ ? scan.ring[i] : levelOf(points.slope[i]);
     FanBeam& beam = table_[fan * rows + row];
-    if (beam.reach_m == 0 || points.reach_m[i] < beam.reach_m)
+    if (!has(has_beam_[fan], row) || points.reach_m[i] < beam.reach_m)
     {
       beam = {points.reach_m[i], points.slope[i], true};
     }
+    has_beam_[fan][row / 64] |= uint64_t{1} << (row % 64);
     steepest_ = std::max(steepest_, std::abs(points.slope[i]));
     times_[fan] = has_times ? scan.time_s[i] : 0;
   }
@@ -166,31 +169,36 @@ void BeamFans::addEmpty(const Empty& empty)
   const auto rows = static_cast<size_t>(rows_);
   const size_t fan = fanOf(empty.turn);
   const size_t row = has_rings_ ? empty.row : levelOf(empty.beam.slope);
-  if (row < rows && table_[fan * rows + row].reach_m == 0)
+  if (row < rows && empty.beam.reach_m > 0 && !has(has_beam_[fan], row))
   {
     table_[fan * rows + row] = empty.beam;
+    has_beam_[fan][row / 64] |= uint64_t{1} << (row % 64);
     times_[fan] = empty.time_s;
   }
 }
 
-std::span<const FanBeam> BeamFans::beams(int32_t fan)
+void BeamFans::sort()
 {
-  sorted_.clear();
-  const auto rows = static_cast<size_t>(rows_);
-  const FanBeam* const first = table_.data() + static_cast<size_t>(fan) * rows;
-  for (const FanBeam* beam = first; beam != first + rows; ++beam)
+  counts_.assign(static_cast<size_t>(fans_), 0);
+  for (size_t fan = 0; fan < counts_.size(); ++fan)
   {
-    if (beam->reach_m == 0)
+    FanBeam* const first = table_.data() + fan * static_cast<size_t>(rows_);
+    FanBeam* end = first;
+    for (size_t word = 0; word < has_beam_[fan].size(); ++word)
     {
-      continue;
+      for (uint64_t rows = has_beam_[fan][word]; rows != 0; rows &= rows - 1)
+      {
+        const FanBeam beam = first[word * 64 + static_cast<size_t>(std::countr_zero(rows))];
+        // Rows come sorted unless the sensor is tilted: then a few steps.
+        FanBeam* to = end++;
+        for (; to != first && beam.slope < to[-1].slope; --to)
+        {
+          *to = to[-1];
+        }
+        *to = beam;
+      }
     }
-    sorted_.push_back(*beam);
-    // Rows come sorted unless the sensor is tilted: then a few steps.
-    for (size_t i = sorted_.size() - 1; i > 0 && sorted_[i].slope < sorted_[i - 1].slope; --i)
-    {
-      std::swap(sorted_[i], sorted_[i - 1]);
-    }
+    counts_[fan] = static_cast<uint16_t>(end - first);
   }
-  return sorted_;
 }
 }  // namespace traverse::multi_lidar_grid

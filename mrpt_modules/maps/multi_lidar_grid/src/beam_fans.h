@@ -6,6 +6,7 @@
 
 #include <traverse/points/scan.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,7 +17,7 @@ namespace traverse::multi_lidar_grid
  */
 struct FanBeam
 {
-  float reach_m = 0;  //!< 0: there is none
+  float reach_m = 0;
   float slope = 0;
   bool is_hit = true;  //!< something was met there; false: it goes on unseen
 };
@@ -48,6 +49,9 @@ class BeamFans
   /** Adds it where no other beam of its laser is in the fan. */
   void addEmpty(const Empty& empty);
 
+  /** After collect() and addEmpty(): makes beams(). */
+  void sort();
+
   int32_t count() const { return fans_; }
 
   /** Azimuth covered by a fan, rad. */
@@ -68,13 +72,21 @@ class BeamFans
   /** The time at which a fan was looked at, relative to the stamp, s. */
   float time_s(int32_t fan) const { return times_[static_cast<size_t>(fan)]; }
 
-  /** A fan's beams by growing slope, valid until the next call. */
-  std::span<const FanBeam> beams(int32_t fan);
+  /** A fan's beams by growing slope. */
+  std::span<const FanBeam> beams(size_t fan) const
+  {
+    return {table_.data() + fan * static_cast<size_t>(rows_), counts_[fan]};
+  }
 
   /** Whether all beams are of one row and about level: a 2-D scanner's. */
   bool isLevelRow() const { return rows_ <= 1 && steepest_ < 0.1F; }
 
  private:
+  /** Which rows of a fan have a beam. */
+  using Rows = std::array<uint64_t, 4>;
+
+  static bool has(const Rows& rows, size_t row) { return (rows[row / 64] >> (row % 64) & 1U) != 0; }
+
   void layOut(const points::Scan& scan, const BeamPoints& points);
   void setFans(int32_t fans);
   size_t levelOf(float slope) const;
@@ -88,10 +100,11 @@ class BeamFans
   float width_rad_ = 0;
   float lowest_ = 0;  // without rings: sines of elevation that the rows divide evenly
   float rows_per_sine_ = 0;
-  std::vector<FanBeam> table_;  // fans x rows
+  std::vector<FanBeam> table_;  // fans x rows; of a fan those in has_beam_, once sorted the first
+  std::vector<Rows> has_beam_;
+  std::vector<uint16_t> counts_;  // of sorted beams
   std::vector<float> times_;
   std::vector<Direction> middles_;
-  std::vector<FanBeam> sorted_;
   std::vector<float> steps_;
   std::vector<uint32_t> ring_counts_;
 };

@@ -3,6 +3,8 @@
 #include "azimuth.h"
 #include "mapper_work.h"
 
+#include <algorithm>
+
 namespace traverse::multi_lidar_grid
 {
 /** Whether a beam went on through a cell of the region's x and y between two heights over the
@@ -31,10 +33,13 @@ bool UnitMapper::Work::passedBetween(int32_t x, int32_t y, float from_m, float t
   }
   const float along_m = (place - origin.head<2>()).norm();
   const float sensor_m = origin.z() - local_ground->heightAt(x, y);
-  for (const FanBeam& beam : fans.beams(static_cast<int32_t>(fan)))
+  const auto height_m = [&](const FanBeam& beam) { return sensor_m + beam.slope * along_m; };
+  const std::span<const FanBeam> beams = fans.beams(fan);
+  const auto high_enough = std::partition_point(
+      beams.begin(), beams.end(), [&](const FanBeam& b) { return height_m(b) < from_m; });
+  for (auto beam = high_enough; beam != beams.end() && height_m(*beam) <= to_m; ++beam)
   {
-    const float height_m = sensor_m + beam.slope * along_m;
-    if (beam.reach_m > along_m + cell_m && height_m >= from_m && height_m <= to_m)
+    if (beam->reach_m > along_m + cell_m)
     {
       return true;
     }

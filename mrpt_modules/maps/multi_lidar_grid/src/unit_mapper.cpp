@@ -150,7 +150,7 @@ void UnitMapper::Work::traceFans(const Cloud& cloud, const SensorParams& sensor,
   origins.assign(static_cast<size_t>(fans.count()), localOrigin(cloud, frame, 0));
   for (int32_t fan = 0; fan < fans.count(); ++fan)
   {
-    const std::span<const FanBeam> beams = fans.beams(fan);
+    const std::span<const FanBeam> beams = fans.beams(static_cast<size_t>(fan));
     if (beams.empty())
     {
       continue;
@@ -244,6 +244,7 @@ UnitMapper::Counts UnitMapper::make(
   else
   {
     addSilentBeams(cloud, sensor, work.rules, work.fans);
+    work.fans.sort();
     work.traceFans(cloud, sensor, map);
   }
   work.finish(map);
