@@ -44,15 +44,15 @@ float heightOf(const FanBeam& beam)
 /** Looks through a fan for beams that sank. Heights count from the sensor. */
 void FanTrace::findDitches(const BeamFans& fans, std::span<const FanBeam> beams)
 {
-  const GroundRay middle = {origin_.x(), origin_.y(), fans.direction(fan_, 0)};
-  const GroundRay::Stretch inside = middle.within(side_m_);
-  const float most_m = std::min(inside.to_m, scene_.range_m);
+  const GroundWay middle = wayTo(fans.direction(fan_, 0));
+  const float most_m = std::min(middle.inside.to_m, scene_.range_m);
   Landing before;
   Landing brink;  // of the last ditch
   for (size_t k = 0; k < beams.size(); ++k)
   {
     const FanBeam& beam = beams[k];
-    if (!beam.is_hit || beam.slope >= 0 || beam.reach_m < inside.from_m || beam.reach_m >= most_m)
+    if (!beam.is_hit || beam.slope >= 0 || beam.reach_m < middle.inside.from_m ||
+        beam.reach_m >= most_m)
     {
       continue;
     }
@@ -72,6 +72,13 @@ void FanTrace::findDitches(const BeamFans& fans, std::span<const FanBeam> beams)
     before = after(before, beam, is_ground);
     level(middle, over_m, before);
   }
+}
+
+/** Over the ground, m; NaN where that is not known. */
+float FanTrace::heightOver(const GroundWay& way, float slope, float along_m) const
+{
+  const GroundRay::Place place = way.placeAt(along_m);
+  return origin_.z() + slope * along_m - ground_.heightAt(place.x, place.y);
 }
 
 /** What is known at a landing, with the slope of the way to it. */
@@ -100,13 +107,13 @@ FanTrace::Landing FanTrace::after(const Landing& before, const FanBeam& beam, bo
 
 /** What lies on the ground does not carry it on: neither higher nor steeper up than the ground
  * reference on the way to it. */
-void FanTrace::level(const GroundRay& ray, float over_m, Landing& landing) const
+void FanTrace::level(const GroundWay& way, float over_m, Landing& landing) const
 {
   constexpr float kSlack_m = 0.04F;
   constexpr float kSlackSlope = 0.03F;
   constexpr float kWay_m = 2;
   const float ground_m = landing.z_m - over_m;
-  const float earlier_m = heightOver(ray, 0, std::max(landing.reach_m - kWay_m, 0.0F));
+  const float earlier_m = heightOver(way, 0, std::max(landing.reach_m - kWay_m, 0.0F));
   const float slope = (ground_m + earlier_m) / kWay_m;  // earlier_m: of the sensor over the ground
   if (slope == slope)
   {
@@ -136,21 +143,23 @@ void FanTrace::sink(
   {
     const float part = (static_cast<float>(i) + 0.5F) / static_cast<float>(rays) - 0.5F;
     const Direction to = fans.direction(fan_, kFansPerDitch * part);
-    markNegative({origin_.x(), origin_.y(), to}, edge_m, landed.reach_m);
+    markNegative(wayTo(to), edge_m, landed.reach_m);
   }
 }
 
 /** The floor of a ditch, where the ground reference has not followed down there. */
-void FanTrace::markFloor(const GroundRay& ray, const Landing& brink, const FanBeam& beam)
+void FanTrace::markFloor(const GroundWay& way, const Landing& brink, const FanBeam& beam)
 {
   const float step_m = beam.reach_m - brink.reach_m;
   const float sunk_m = brink.z_m + brink.slope * step_m - heightOf(beam);
-  const GroundRay::Place place = ray.placeAt(beam.reach_m, 1 / cell_m_, edge_);
+  if (!brink.is_ground || !(step_m < kFurthest_m) || !(sunk_m >= scene_.rules.depth_m()))
+  {
+    return;
+  }
+  const GroundRay::Place place = way.placeAt(beam.reach_m);
   UnitCell& cell = cellAt(place);
-  const bool is_floor = brink.is_ground && step_m < kFurthest_m &&
-                        sunk_m >= scene_.rules.depth_m() &&
-                        scene_.columns.find(place.y * edge_ + place.x) != nullptr;
-  if (is_floor && cell.state == OccupancyState::unknown)
+  const bool is_met = scene_.columns.find(place.y * edge_ + place.x) != nullptr;
+  if (is_met && cell.state == OccupancyState::unknown)
   {
     cell.state = OccupancyState::negative;
   }
@@ -181,9 +190,9 @@ bool FanTrace::isDitch(
 }
 
 /** Cells without a word of their own, or with returns from below only. */
-void FanTrace::markNegative(const GroundRay& ray, float from_m, float to_m)
+void FanTrace::markNegative(const GroundWay& way, float from_m, float to_m)
 {
-  CellWalk walk(ray, std::min(from_m, to_m), cell_m_, edge_);
+  CellWalk walk(way, std::min(from_m, to_m));
   do
   {
     if (walk.at_m() > to_m)

@@ -11,15 +11,43 @@ using layers::OccupancyState;
 
 namespace
 {
-/** A beam so far below the ground reference is below the ground: the reference's own error, and
- * that of the sensor's tilt. */
-float sunkFrom(float along_m)
+/** A beam so far below the ground reference is below the ground, and so much more per metre. */
+constexpr float kSunk_m = 0.08F;
+constexpr float kSunkPer_m = 0.005F;
+
+int32_t roundedUp(float x)
 {
-  constexpr float kReference_m = 0.08F;
-  constexpr float kTilt = 0.005F;
-  return kReference_m + kTilt * along_m;
+  const auto whole = static_cast<int32_t>(x);
+  return static_cast<float>(whole) < x ? whole + 1 : whole;
+}
+
+/** Of a cell that a beam passes; without a branch, as nobody guesses its state. */
+void setFree(UnitCell& cell, int32_t up_to)
+{
+  static_assert(static_cast<int>(OccupancyState::unknown) == 0);
+  const auto state = static_cast<uint32_t>(cell.state);
+  const uint32_t freed = static_cast<uint32_t>(
+      cell.hit_from == kHangs ? OccupancyState::overhang : OccupancyState::free);
+  const auto if_unknown = static_cast<uint32_t>(state == 0);
+  const bool blocks =
+      (cell.state == OccupancyState::obstacle) | (cell.state == OccupancyState::negative);
+  cell.state = static_cast<OccupancyState>(state + if_unknown * freed);
+  cell.up_to =
+      static_cast<uint8_t>(std::max<int32_t>(cell.up_to, up_to * static_cast<int32_t>(!blocks)));
 }
 }  // namespace
+
+FanTrace::FanTrace(const FanScene& scene, UnitMap& map) :
+    scene_(scene),
+    cells_(map.cells.view()),
+    ground_(scene.ground.view()),
+    cell_m_(scene.rules.cell_m()),
+    edge_(scene.region.width()),
+    low_(
+        scene.is_level ? Low{scene.rules.robot_m(), 0, 0}
+                       : Low{scene.rules.obstacle_m(), kSunk_m, kSunkPer_m})
+{
+}
 
 void FanTrace::trace(
     const Eigen::Vector3f& origin,
@@ -29,6 +57,7 @@ void FanTrace::trace(
 {
   origin_ = origin;
   fan_ = fan;
+  count_ = 0;
   const float needed_m = neededFrom(fans);
   float reached_m = 0;
   for (size_t k = 0; k < beams.size(); ++k)
@@ -74,40 +103,40 @@ float FanTrace::topSlope(std::span<const FanBeam> beams, size_t k, float to_m) c
   return top;
 }
 
-bool FanTrace::isLow(float height_m, float along_m) const
-{
-  if (scene_.is_level)
-  {
-    return height_m > 0 && height_m < scene_.rules.robot_m();
-  }
-  return height_m < scene_.rules.obstacle_m() && height_m > -sunkFrom(along_m);
-}
-
 void FanTrace::follow(const BeamFans& fans, const Pass& pass)
 {
-  const int32_t rays =
-      std::clamp(static_cast<int32_t>(std::ceil(fans.width_rad() * pass.to_m / cell_m_)), 1, 16);
-  for (int32_t i = 0; i < rays; ++i)
+  const int32_t count = roundedUp(fans.width_rad() * pass.to_m / cell_m_);
+  spreadWays(fans, static_cast<size_t>(std::clamp<int32_t>(count, 1, kMostWays)));
+  for (size_t i = 0; i < count_; ++i)
   {
-    const float part = (static_cast<float>(i) + 0.5F) / static_cast<float>(rays) - 0.5F;
-    followRay({origin_.x(), origin_.y(), fans.direction(fan_, part)}, pass);
+    const GroundWay& way = ways_[i];
+    Pass part = pass;
+    part.to_m = std::min(pass.to_m, way.inside.to_m);
+    part.from_m = std::max({pass.from_m, way.inside.from_m, lowFrom(way, part)});
+    if (part.from_m < part.to_m)
+    {
+      freeAlong(way, part);
+    }
   }
 }
 
-void FanTrace::followRay(const GroundRay& ray, const Pass& pass)
+/** So many ways side by side across the fan; mostly those of the pass before. */
+void FanTrace::spreadWays(const BeamFans& fans, size_t count)
 {
-  const GroundRay::Stretch inside = ray.within(side_m_);
-  Pass part = pass;
-  part.to_m = std::min(pass.to_m, inside.to_m);
-  part.from_m = std::max({pass.from_m, inside.from_m, lowFrom(ray, part)});
-  if (part.from_m < part.to_m)
+  if (count == count_)
   {
-    freeAlong(ray, part);
+    return;
+  }
+  count_ = count;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const float part = (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 0.5F;
+    ways_[i] = wayTo(fans.direction(fan_, part));
   }
 }
 
 /** A beam comes down to its end: it is low only from here on. */
-float FanTrace::lowFrom(const GroundRay& ray, const Pass& pass) const
+float FanTrace::lowFrom(const GroundWay& way, const Pass& pass) const
 {
   constexpr float kMargin = 1.5F;  // the ground's slope is that at the end
   constexpr float kLeastFall = 0.005F;
@@ -115,63 +144,44 @@ float FanTrace::lowFrom(const GroundRay& ray, const Pass& pass) const
   {
     return 0;
   }
-  const GroundRay::Place end = ray.placeAt(pass.to_m, 1 / cell_m_, edge_);
+  const GroundRay::Place end = way.placeAt(pass.to_m);
   const float end_m = origin_.z() + pass.slope * pass.to_m;
-  const float over_m = end_m - scene_.ground.heightAt(end.x, end.y);
-  const float most_m = scene_.rules.obstacle_m();
-  if (!(over_m < most_m))  // or unknown
+  const float over_m = end_m - ground_.heightAt(end.x, end.y);
+  if (!(over_m < low_.most_m))  // or unknown
   {
     return pass.to_m;
   }
-  const float fall = scene_.ground.slopeAt(end.x, end.y, ray.to) - pass.slope;
-  const float way_m = (most_m - over_m) / std::max(fall, kLeastFall);
+  const float fall = ground_.slopeAt(end.x, end.y, way.ray.to) - pass.slope;
+  const float way_m = (low_.most_m - over_m) / std::max(fall, kLeastFall);
   return pass.to_m - kMargin * way_m - cell_m_;
 }
 
-/** Over the ground, m; NaN where that is not known. */
-float FanTrace::heightOver(const GroundRay& ray, float slope, float along_m) const
-{
-  const GroundRay::Place place = ray.placeAt(along_m, 1 / cell_m_, edge_);
-  return origin_.z() + slope * along_m - scene_.ground.heightAt(place.x, place.y);
-}
-
 /** Frees the cells where the beam is low. */
-void FanTrace::freeAlong(const GroundRay& ray, const Pass& pass)
+void FanTrace::freeAlong(const GroundWay& way, const Pass& pass)
 {
-  CellWalk walk(ray, pass.from_m, cell_m_, edge_);
+  const LocalGround::View ground = ground_;
+  const layers::WrappedGrid<UnitCell>::View cells = cells_;
+  const geometry::CellIndex first = scene_.region.min;
+  const Low low = low_;
+  const Pass p = pass;
+  const float from_m = origin_.z();
+  const float robot_m = scene_.rules.robot_m();
+  CellWalk walk(way, p.from_m);
   do
   {
-    if (walk.at_m() >= pass.to_m)
+    if (walk.at_m() >= p.to_m)
     {
       return;
     }
-    const float along_m = std::min(walk.middle_m(), pass.to_m);
-    const float ground_m = scene_.ground.heightAt(walk.place().x, walk.place().y);
-    if (isLow(origin_.z() + pass.slope * along_m - ground_m, along_m))
+    const float along_m = std::min(walk.middle_m(), p.to_m);
+    const GroundRay::Place place = walk.place();
+    const float ground_m = ground.heightAt(place.x, place.y);
+    if (low.holds(from_m + p.slope * along_m - ground_m, along_m))
     {
-      free(walk.place(), along_m, ground_m, pass);
+      const float top_m = std::clamp(from_m + p.top_slope * along_m - ground_m, 0.0F, robot_m);
+      const auto steps = static_cast<int32_t>(top_m / static_cast<float>(kFreeStep_m) + 0.01F);
+      setFree(cells.at({first.x + place.x, first.y + place.y}), std::min(steps, 255));
     }
   } while (walk.next());
-}
-
-void FanTrace::free(const GroundRay::Place& place, float along_m, float ground_m, const Pass& pass)
-{
-  UnitCell& cell = cellAt(place);
-  const float top_m = origin_.z() + pass.top_slope * along_m;
-  if (cell.state == OccupancyState::obstacle)
-  {
-    return;
-  }
-  if (cell.state == OccupancyState::unknown)
-  {
-    cell.state = cell.hit_from == kHangs ? OccupancyState::overhang : OccupancyState::free;
-  }
-  if (cell.state == OccupancyState::negative)
-  {
-    return;
-  }
-  const float high_m = std::clamp(top_m - ground_m, 0.0F, scene_.rules.robot_m());
-  const auto steps = static_cast<int32_t>(high_m / static_cast<float>(kFreeStep_m) + 0.01F);
-  cell.up_to = static_cast<uint8_t>(std::max<int32_t>(cell.up_to, std::min(steps, 255)));
 }
 }  // namespace traverse::multi_lidar_grid

@@ -10,6 +10,7 @@
 
 #include <traverse/multi_lidar_grid/unit_map.h>
 
+#include <array>
 #include <span>
 
 namespace traverse::multi_lidar_grid
@@ -34,14 +35,7 @@ struct FanScene
 class FanTrace
 {
  public:
-  FanTrace(const FanScene& scene, UnitMap& map) :
-      scene_(scene),
-      map_(map),
-      cell_m_(scene.rules.cell_m()),
-      edge_(scene.region.width()),
-      side_m_(cell_m_ * static_cast<float>(edge_))
-  {
-  }
+  FanTrace(const FanScene& scene, UnitMap& map);
 
   /** `beams` by growing slope, from the origin (m from the region's corner and the zero of
    * heights). */
@@ -64,14 +58,25 @@ class FanTrace
     float top_slope = 0;
   };
 
-  float heightOver(const GroundRay& ray, float slope, float along_m) const;
+  /** Heights over the ground at which a beam frees cells: below most_m, and above a little less
+   * than nothing, by the ground reference's own error and that of the sensor's tilt. */
+  struct Low
+  {
+    float most_m = 0;
+    float sunk_m = 0;
+    float sunk_per_m = 0;
+
+    bool holds(float height_m, float along_m) const
+    {
+      return (height_m < most_m) & (height_m > -(sunk_m + sunk_per_m * along_m));
+    }
+  };
+
   float neededFrom(const BeamFans& fans) const;
-  float lowFrom(const GroundRay& ray, const Pass& pass) const;
-  bool isLow(float height_m, float along_m) const;
+  float lowFrom(const GroundWay& way, const Pass& pass) const;
   void follow(const BeamFans& fans, const Pass& pass);
-  void followRay(const GroundRay& ray, const Pass& pass);
-  void freeAlong(const GroundRay& ray, const Pass& pass);
-  void free(const GroundRay::Place& place, float along_m, float ground_m, const Pass& pass);
+  void spreadWays(const BeamFans& fans, size_t count);
+  void freeAlong(const GroundWay& way, const Pass& pass);
   float topSlope(std::span<const FanBeam> beams, size_t k, float to_m) const;
 
   /** Where a beam met the ground, and how that came there; heights from the sensor. */
@@ -87,25 +92,36 @@ class FanTrace
 
   void findDitches(const BeamFans& fans, std::span<const FanBeam> beams);
   Landing after(const Landing& before, const FanBeam& beam, bool is_ground) const;
-  void level(const GroundRay& ray, float over_m, Landing& landing) const;
+  float heightOver(const GroundWay& way, float slope, float along_m) const;
+  void level(const GroundWay& way, float over_m, Landing& landing) const;
   void sink(
       const BeamFans& fans, const Landing& before, std::span<const FanBeam> beams, float sunk_m);
   bool isDitch(
       const Landing& before, std::span<const FanBeam> beams, float sunk_m, float edge_m) const;
-  void markFloor(const GroundRay& ray, const Landing& brink, const FanBeam& beam);
-  void markNegative(const GroundRay& ray, float from_m, float to_m);
+  void markFloor(const GroundWay& way, const Landing& brink, const FanBeam& beam);
+  void markNegative(const GroundWay& way, float from_m, float to_m);
 
-  UnitCell& cellAt(const GroundRay::Place& place)
+  GroundWay wayTo(const Direction& to) const
   {
-    return map_.cells.at({scene_.region.min.x + place.x, scene_.region.min.y + place.y});
+    return {{origin_.x(), origin_.y(), to}, cell_m_, edge_};
   }
 
+  UnitCell& cellAt(const GroundRay::Place& place) const
+  {
+    return cells_.at({scene_.region.min.x + place.x, scene_.region.min.y + place.y});
+  }
+
+  static constexpr size_t kMostWays = 16;
+
   const FanScene& scene_;
-  UnitMap& map_;
+  layers::WrappedGrid<UnitCell>::View cells_;
+  LocalGround::View ground_;
   float cell_m_;
   int32_t edge_;
-  float side_m_;
+  Low low_;
   Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();
   int32_t fan_ = 0;
+  std::array<GroundWay, kMostWays> ways_;  // side by side, as many as the last pass was wide
+  size_t count_ = 0;
 };
 }  // namespace traverse::multi_lidar_grid

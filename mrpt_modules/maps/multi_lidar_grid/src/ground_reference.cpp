@@ -227,7 +227,7 @@ const LocalGround& GroundReference::local(const CellRect& region, const Stand& s
       const auto patch = static_cast<int32_t>(floorDiv(cell, patch_cells_));
       const int32_t planes_before = (patch - first_patch) * step;
       all.push_back(
-          {static_cast<size_t>(planes_before),
+          {static_cast<uint32_t>(planes_before),
            static_cast<float>(lattice_.centre_m(cell) - middle_m(patch))});
     }
   };

@@ -36,31 +36,55 @@ struct GroundPlane
 class LocalGround
 {
  public:
-  /** NaN where it is not known. The cell lies in the region. */
-  float heightAt(int32_t column, int32_t row) const
+  /** Where to look: to be copied before loops that write bytes, as the compiler must take those for
+   * any memory. Valid as long as the ground. */
+  class View
   {
-    const Along& x = along_x_[static_cast<size_t>(column)];
-    const Along& y = along_y_[static_cast<size_t>(row)];
-    const GroundPlane<float>& plane = planes_[y.patch + x.patch];
-    return plane.z_m + plane.slope_x * x.offset_m + plane.slope_y * y.offset_m;
+   public:
+    /** NaN where it is not known. The cell lies in the region. */
+    float heightAt(int32_t column, int32_t row) const
+    {
+      const Along& x = along_x_[column];
+      const Along& y = along_y_[row];
+      const GroundPlane<float>& plane = planes_[y.patch + x.patch];
+      return plane.z_m + plane.slope_x * x.offset_m + plane.slope_y * y.offset_m;
+    }
+
+    /** Up per along in a direction. */
+    float slopeAt(int32_t column, int32_t row, const Direction& to) const
+    {
+      const GroundPlane<float>& plane = planes_[along_y_[row].patch + along_x_[column].patch];
+      return plane.slope_x * to.x + plane.slope_y * to.y;
+    }
+
+   private:
+    friend class LocalGround;
+
+    struct Along
+    {
+      uint32_t patch = 0;  //!< in y times the planes of a row
+      float offset_m = 0;
+    };
+
+    const Along* along_x_ = nullptr;
+    const Along* along_y_ = nullptr;
+    const GroundPlane<float>* planes_ = nullptr;
+  };
+
+  View view() const
+  {
+    View view;
+    view.along_x_ = along_x_.data();
+    view.along_y_ = along_y_.data();
+    view.planes_ = planes_.data();
+    return view;
   }
 
-  /** Up per along in a direction. */
-  float slopeAt(int32_t column, int32_t row, const Direction& to) const
-  {
-    const size_t patch =
-        along_y_[static_cast<size_t>(row)].patch + along_x_[static_cast<size_t>(column)].patch;
-    return planes_[patch].slope_x * to.x + planes_[patch].slope_y * to.y;
-  }
+  float heightAt(int32_t column, int32_t row) const { return view().heightAt(column, row); }
 
  private:
   friend class GroundReference;
-
-  struct Along
-  {
-    size_t patch = 0;  //!< in y times the planes of a row
-    float offset_m = 0;
-  };
+  using Along = View::Along;
 
   std::vector<Along> along_x_, along_y_;
   std::vector<GroundPlane<float>> planes_;

@@ -32,6 +32,22 @@ class WrappedGrid
 
   const Cell& at(geometry::CellIndex cell) const { return cells_[torus_.indexOf(cell)]; }
 
+  /** Where its cells are: to be copied before loops that write bytes, as the compiler must take
+   * those for any memory. Valid as long as the grid. */
+  class View
+  {
+   public:
+    explicit View(WrappedGrid& grid) : torus_(grid.torus_), cells_(grid.cells_.data()) {}
+
+    Cell& at(geometry::CellIndex cell) const { return cells_[torus_.indexOf(cell)]; }
+
+   private:
+    geometry::Torus torus_;
+    Cell* cells_;
+  };
+
+  View view() { return View(*this); }
+
   /** nullptr for cells outside the region. */
   const Cell* get(geometry::CellIndex cell) const
   {
