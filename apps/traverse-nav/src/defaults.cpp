@@ -36,6 +36,7 @@ std::string navDefaultsText()
          section("How a way is sought.", "Planner", settings.plan) +
          section("How fast it is driven.", "Speed", settings.speed) +
          section("MRPT's reactive navigator.", "Reactive", settings.reactive) +
+         section("What the last command is held against.", "Guard", settings.guard) +
          section("When the vehicle stops.", "Watchdogs", settings.watchdogs);
 }
 }  // namespace traverse::app

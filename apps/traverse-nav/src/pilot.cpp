@@ -18,7 +18,6 @@ using poses::secondsBetween;
 
 constexpr double kPlanAgain_s = 0.5;  // where there was no way
 constexpr double kBackOff_mps = 0.2;
-constexpr double kBackOffRoom_m = 0.4;  // behind the footprint
 
 double distance(const geometry::Pose2& pose, double x_m, double y_m)
 {
@@ -65,6 +64,7 @@ Pilot::Pilot(
     maps_(buildMaps(settings.ini, settings.maps)),
     planner_(settings.robot.vehicle, settings.drivetrain, settings.plan),
     driver_(settings.robot.vehicle, settings.drivetrain, settings.reactive, cache, log_folder),
+    guard_(settings.robot.vehicle, settings.drivetrain, settings.guard),
     supervisor_(settings.watchdogs, settings.plan.goal_tolerance_m)
 {
 }
@@ -215,23 +215,11 @@ bool Pilot::isGoalBlocked() const
   return there == Passage::obstacle || there == Passage::hard;
 }
 
-geometry::Twist2 Pilot::backOff(const geometry::Pose2& pose) const
+geometry::Twist2 Pilot::backOff(
+    const geometry::Twist2& motion, std::span<const Eigen::Vector3f> obstacles) const
 {
-  const geometry::Vehicle& vehicle = settings_.robot.vehicle;
-  const auto [min_x, max_x] =
-      std::minmax_element(vehicle.footprint_xs_m.begin(), vehicle.footprint_xs_m.end());
-  const auto [min_y, max_y] =
-      std::minmax_element(vehicle.footprint_ys_m.begin(), vehicle.footprint_ys_m.end());
-  const double range_m = std::abs(*min_x) + kBackOffRoom_m + std::max(*max_y, -*min_y);
-  for (const Eigen::Vector3f& p : navigation::obstaclePoints(costmap_, pose, range_m))
-  {
-    const bool is_behind = p.x() < *min_x && p.x() > *min_x - kBackOffRoom_m;
-    if (is_behind && p.y() > *min_y - 0.1 && p.y() < *max_y + 0.1)
-    {
-      return {};
-    }
-  }
-  return {-std::min(kBackOff_mps, settings_.drivetrain.max_reverse_mps), 0};
+  const geometry::Twist2 back{-std::min(kBackOff_mps, settings_.drivetrain.max_reverse_mps), 0};
+  return guard_.guarded(back, motion, obstacles);
 }
 
 PilotStep Pilot::step(
@@ -282,11 +270,11 @@ PilotStep Pilot::decide(
   result.limited_by = limit.reason;
   if (result.conduct == Conduct::drive)
   {
-    result.command = command.twist;
+    result.command = guard_.guarded(command.twist, motion, senses.obstacles);
   }
   else if (result.conduct == Conduct::recover)
   {
-    result.command = backOff(pose);
+    result.command = backOff(motion, senses.obstacles);
     plan_ = {};
   }
   return result;

@@ -15,8 +15,9 @@ using config::ConfigError;
 /** [Lidar_NN] as many as there are; [Drive] and [Ins] would do nothing. */
 std::vector<std::string> ownSections(const NavSettings& settings)
 {
-  std::vector<std::string> own = {"traverse-nav", "Vehicle", "Drivetrain", "Odometry", "Costmap",
-                                  "Planner",      "Speed",   "Watchdogs",  "Reactive", "Maps"};
+  std::vector<std::string> own = {"traverse-nav", "Vehicle",  "Drivetrain", "Odometry",
+                                  "Costmap",      "Planner",  "Speed",      "Guard",
+                                  "Watchdogs",    "Reactive", "Maps"};
   for (size_t i = 0; i < settings.robot.lidars.size(); ++i)
   {
     own.push_back(fmt::format("Lidar_{:02}", i));
@@ -58,6 +59,7 @@ NavSettings readNavSettings(
   config::load(settings.ini, "Costmap", settings.costs);
   config::load(settings.ini, "Planner", settings.plan);
   config::load(settings.ini, "Speed", settings.speed);
+  config::load(settings.ini, "Guard", settings.guard);
   config::load(settings.ini, "Watchdogs", settings.watchdogs);
   config::load(settings.ini, "Reactive", settings.reactive);
   settings.robot = simulating::readRecording(settings.ini);

@@ -13,6 +13,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace traverse::app
@@ -76,7 +77,8 @@ class Pilot
   void keepWay(poses::TimeNs now, const geometry::Pose2& pose);
   void followWay(const geometry::Pose2& pose);
   navigation::SpeedLimit limitAt(const geometry::Pose2& pose, const geometry::Twist2& motion) const;
-  geometry::Twist2 backOff(const geometry::Pose2& pose) const;
+  geometry::Twist2 backOff(
+      const geometry::Twist2& motion, std::span<const Eigen::Vector3f> obstacles) const;
   bool isGoalBlocked() const;
   PilotStep decide(
       poses::TimeNs now,
@@ -88,6 +90,7 @@ class Pilot
   std::vector<BuiltMap> maps_;
   navigation::Planner planner_;
   reactive::ReactiveDriver driver_;
+  navigation::MotionGuard guard_;
   navigation::Supervisor supervisor_;
   navigation::Costmap costmap_;
   navigation::Plan plan_;

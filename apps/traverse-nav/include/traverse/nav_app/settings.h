@@ -7,6 +7,7 @@
 #include <traverse/geometry/drivetrain.h>
 #include <traverse/nav_app/run_params.h>
 #include <traverse/navigation/cost_params.h>
+#include <traverse/navigation/motion_guard.h>
 #include <traverse/navigation/plan_params.h>
 #include <traverse/navigation/speed_profile.h>
 #include <traverse/navigation/supervisor.h>
@@ -29,6 +30,7 @@ struct NavSettings
   navigation::CostParams costs;
   navigation::PlanParams plan;
   navigation::SpeedParams speed;
+  navigation::GuardParams guard;
   navigation::WatchdogParams watchdogs;
   reactive::ReactiveParams reactive;
   std::vector<WantedMap> maps;
