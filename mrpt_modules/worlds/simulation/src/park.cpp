@@ -29,16 +29,18 @@ using Line = std::vector<Eigen::Vector2d>;
 double steepest(const Terrain& terrain, const SceneExtentParams& e)
 {
   constexpr double kApart_m = 0.5;
+  const auto columns = static_cast<int>((e.max_x_m - e.min_x_m) / kApart_m);
+  const auto rows = static_cast<int>((e.max_y_m - e.min_y_m) / kApart_m);
   double most = 0;
-  for (double y = e.min_y_m; y < e.max_y_m; y += kApart_m)
+  for (int i = 0; i < columns * rows; ++i)
   {
-    for (double x = e.min_x_m; x < e.max_x_m; x += kApart_m)
-    {
-      const double here = terrain.at(x, y).base_m;
-      const double east = (terrain.at(x + kApart_m, y).base_m - here) / kApart_m;
-      const double north = (terrain.at(x, y + kApart_m).base_m - here) / kApart_m;
-      most = std::max(most, east * east + north * north);
-    }
+    const int row = i / columns;
+    const double x = e.min_x_m + i % columns * kApart_m;
+    const double y = e.min_y_m + row * kApart_m;
+    const double here = terrain.at(x, y).base_m;
+    const double east = (terrain.at(x + kApart_m, y).base_m - here) / kApart_m;
+    const double north = (terrain.at(x, y + kApart_m).base_m - here) / kApart_m;
+    most = std::max(most, east * east + north * north);
   }
   return std::sqrt(most);
 }

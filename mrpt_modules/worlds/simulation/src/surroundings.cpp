@@ -133,20 +133,23 @@ DitchCells ditchIn(const Terrain& terrain, const Eigen::Vector2d& corner, double
 std::vector<DitchCells> ditchesOf(const Scene& scene, double max_step_m)
 {
   constexpr double kBlock_m = kCell_m * kCellsOfBlock;
+  const Area& area = scene.area;
+  const auto columns = static_cast<int>(std::ceil((area.max_x_m - area.min_x_m) / kBlock_m));
+  const auto rows = static_cast<int>(std::ceil((area.max_y_m - area.min_y_m) / kBlock_m));
   std::vector<DitchCells> all;
-  for (double y = scene.area.min_y_m; y < scene.area.max_y_m; y += kBlock_m)
+  for (int block = 0; block < columns * rows; ++block)
   {
-    for (double x = scene.area.min_x_m; x < scene.area.max_x_m; x += kBlock_m)
+    const int row = block / columns;
+    const double x = area.min_x_m + block % columns * kBlock_m;
+    const double y = area.min_y_m + row * kBlock_m;
+    if (!scene.terrain->isSharpIn({x, y, x + kBlock_m, y + kBlock_m}))
     {
-      if (!scene.terrain->isSharpIn({x, y, x + kBlock_m, y + kBlock_m}))
-      {
-        continue;
-      }
-      DitchCells cells = ditchIn(*scene.terrain, {x, y}, max_step_m);
-      if (!cells.middles.empty())
-      {
-        all.push_back(std::move(cells));
-      }
+      continue;
+    }
+    DitchCells cells = ditchIn(*scene.terrain, {x, y}, max_step_m);
+    if (!cells.middles.empty())
+    {
+      all.push_back(std::move(cells));
     }
   }
   return all;

@@ -58,8 +58,9 @@ std::vector<Station> middleLine(double length_m, Random random)
   const auto share = [](double along, double from, double length)
   { return std::clamp((along - from) / length, 0.0, 1.0); };
   std::vector<Station> stations(1);
-  for (double along = kStep_m / 2; along < length_m; along += kStep_m)
+  for (int i = 0; i < static_cast<int>(length_m / kStep_m); ++i)
   {
+    const double along = (i + 0.5) * kStep_m;
     Station next = stations.back();
     next.heading_rad = first_rad * share(along, first_from, first_m) +
                        second_rad * share(along, second_from, second_m);

@@ -14,7 +14,7 @@ namespace traverse::simulation
 {
 namespace
 {
-constexpr double kGravity_mps2 = 9.81;
+constexpr double kGravity = 9.81;  // m/s2
 constexpr double kStep_s = kDriveStepSeconds;
 constexpr double kRadians = geometry::kPi / 180;
 
@@ -172,10 +172,10 @@ void VehicleModel::follow()
   const double upright =
       1 / std::sqrt(1 + ground_.forward * ground_.forward + ground_.left * ground_.left);
   const Eigen::Vector2d downhill =
-      -kGravity_mps2 * upright * (ground_.forward * heading + ground_.left * leftOf(heading));
+      -kGravity * upright * (ground_.forward * heading + ground_.left * leftOf(heading));
   const Eigen::Vector2d grip = push - downhill;
   const double asked = std::sqrt(grip.dot(grip) + corner_m_ * corner_m_ * twist * twist);
-  const double given = ground_.friction * kGravity_mps2 * upright;
+  const double given = ground_.friction * kGravity * upright;
   state_.slips = asked > given;
   if (state_.slips)
   {

@@ -60,7 +60,10 @@ class VehicleModel
 
   /** T_map_base on the ground: height, roll and pitch of the plane under the footprint, smoothed
    * over 0.6 m before and behind as driveOn() does. */
-  Eigen::Isometry3d T_map_base() const { return track_.back().T_map_body; }
+  Eigen::Isometry3d T_map_base() const  // NOLINT(readability-identifier-naming)
+  {
+    return track_.back().T_map_body;
+  }
 
   /** Poses of the last seconds (at most kKept_s), every 10 ms, for sensors that turn while it
    * drives. */
