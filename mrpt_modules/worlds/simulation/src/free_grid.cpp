@@ -139,12 +139,13 @@ std::vector<int> FreeGrid::waveFrom(int from, int to) const
     {
       const int column = cell % columns_ + n.column;
       const int row = cell / columns_ + n.row;
-      const auto next = static_cast<size_t>(row * columns_ + column);
+      const int next = row * columns_ + column;
+      const auto index = static_cast<size_t>(next);
       const bool inside = column >= 0 && row >= 0 && column < columns_ && row < rows_;
-      if (inside && blocked_[next] == 0 && way + n.way < ways[next])
+      if (inside && blocked_[index] == 0 && way + n.way < ways[index])
       {
-        ways[next] = way + n.way;
-        open.emplace(ways[next], static_cast<int>(next));
+        ways[index] = way + n.way;
+        open.emplace(ways[index], next);
       }
     }
   }
@@ -174,9 +175,10 @@ std::vector<Eigen::Vector2d> FreeGrid::way(
       const int column = cell % columns_ + n.column;
       const int row = cell / columns_ + n.row;
       const bool inside = column >= 0 && row >= 0 && column < columns_ && row < rows_;
-      if (inside && ways[static_cast<size_t>(row * columns_ + column)] == left - n.way)
+      const int next = row * columns_ + column;
+      if (inside && ways[static_cast<size_t>(next)] == left - n.way)
       {
-        cell = row * columns_ + column;
+        cell = next;
         break;
       }
     }

@@ -153,7 +153,7 @@ void addWarehouse(SceneParams& scene, uint64_t seed)
   world.addBorder(3);
   addRacks(world, hall);
   Random random = world.randomFor(Purpose::places);
-  const auto aisles = static_cast<uint32_t>(hall.rows - 1);
+  const auto aisles = static_cast<uint32_t>(std::max(2, hall.rows - 1));
   const double side = random.chance(0.5) ? 1 : -1;
   const uint32_t first = random.index(aisles);
   const uint32_t second = (first + 1 + random.index(aisles - 1)) % aisles;
