@@ -91,6 +91,24 @@ TEST_P(ReactiveDrive, PassesDiscsOnItsWayToTheGoalWithoutTouchingThem)
   }
 }
 
+TEST_P(ReactiveDrive, DrivesRoundWhatStandsOnAPlaceOfThePlan)
+{
+  const ScratchFolder scratch;
+  const geometry::Vehicle vehicle = smallVehicle();
+  geometry::Drivetrain drivetrain;
+  drivetrain.steering = GetParam().steering;
+  reactive::ReactiveDriver driver(
+      vehicle, drivetrain, coarse(GetParam().navigator), scratch.path());
+  for (const double radius_m : {0.1, 0.25, 0.6})
+  {
+    SCOPED_TRACE(radius_m);
+    const std::vector<Disc> discs = {{bends()[7], radius_m}};
+    const Drive drive = driveAmong(discs, bends(), driver, vehicle, 60);
+    EXPECT_EQ(drive.outcome, Outcome::arrived) << drive.text;
+    EXPECT_GT(drive.least_clearance_m, 0);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Kinds,
     ReactiveDrive,

@@ -220,6 +220,17 @@ TEST_F(ReactiveDriver, HasNotArrivedWhereItsPoseJumpedOverTheGoal)
   EXPECT_EQ(stepAfter(0.1).outcome, Outcome::arrived);
 }
 
+TEST_F(ReactiveDriver, DrivesOnAsBeforeWhenItsPoseJumpsAwayAndBack)
+{
+  make();
+  driver->follow({{2, 1}, {2, -1}, {3, 0}});
+  EXPECT_GT(stepAfter(0.1).twist.yaw_rate_radps, 0.1);
+  senses.pose = {6, 3, 0};  // MRPT: it has been at the first place in between
+  stepAfter(0.1);
+  senses.pose = {};
+  EXPECT_GT(stepAfter(0.1).twist.yaw_rate_radps, 0.1);
+}
+
 TEST_F(ReactiveDriver, DrivesOnWhenTimesGoBack)
 {
   make();

@@ -42,6 +42,13 @@ bool Places::goOn(const geometry::Pose2& pose)
   return next_ != before;
 }
 
+bool Places::skip()
+{
+  const bool can = next_ + 1 < places_.size();
+  next_ += can ? 1 : 0;
+  return can;
+}
+
 bool Places::isOver(const geometry::Pose2& pose) const
 {
   return next_ + 1 == places_.size() &&

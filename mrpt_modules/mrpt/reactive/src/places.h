@@ -43,6 +43,11 @@ class Places
    * so. Returns whether the next place is another one now. */
   bool goOn(const geometry::Pose2& pose);
 
+  /** Goes on to the next place whatever it is; false at the last one. */
+  bool skip();
+
+  void goBackTo(size_t next) { next_ = next; }
+
   /** Whether the last place is next, and reached. */
   bool isOver(const geometry::Pose2& pose) const;
 

@@ -24,6 +24,9 @@ constexpr double kFarthest_m = 1e8;
 // Corrections of a pose that are no jump.
 constexpr double kJump_m = 0.2;
 
+// Places of a plan that obstacles may stand on before there is no way.
+constexpr int kMostSkipped = 2;
+
 bool isSane(const Senses& senses)
 {
   const double numbers[] = {
@@ -119,7 +122,8 @@ class ReactiveDriver::Impl
     }
     const SimulatedClock clock(senses.now);
     senses_.show(senses);
-    return outcomeOf(navigate(), senses);
+    const Command command = outcomeOf(navigate(), senses);
+    return command.outcome == Outcome::no_motion ? tryFurther(command, senses) : command;
   }
 
   const std::string& ini() const { return ini_; }
@@ -162,6 +166,26 @@ class ReactiveDriver::Impl
       return error.what();
     }
     return senses_.events().error;
+  }
+
+  /** No motion to the next place, which an obstacle may stand on: if there is one to a place soon
+   * after it, that is next. */
+  Command tryFurther(const Command& standing, const Senses& senses)
+  {
+    const size_t next = places_.next();
+    for (int n = 0; n < kMostSkipped && places_.skip(); ++n)
+    {
+      is_sent_ = false;
+      senses_.show(senses);
+      const Command command = outcomeOf(navigate(), senses);
+      if (command.outcome == Outcome::driving)
+      {
+        return command;
+      }
+    }
+    is_sent_ = is_sent_ && places_.next() == next;
+    places_.goBackTo(next);
+    return standing;
   }
 
   void send(mrpt::nav::CAbstractPTGBasedReactive& navigator)
