@@ -4,6 +4,7 @@
 
 #include <traverse/geometry/exact_trig.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +13,14 @@ namespace traverse::reactive
 {
 namespace
 {
+/** A point of the map in the vehicle's frame. */
+Eigen::Vector2d inVehicle(const Eigen::Vector2d& p, const geometry::Pose2& pose)
+{
+  const Eigen::Vector2d d = p - Eigen::Vector2d(pose.x_m, pose.y_m);
+  const geometry::SinCos yaw = geometry::sinCosOf(pose.yaw_rad);
+  return {yaw.cos * d.x() + yaw.sin * d.y(), yaw.cos * d.y() - yaw.sin * d.x()};
+}
+
 /** Whether no arc leads there, forward or backward: it lies within a circle that the vehicle turns
  * on. */
 bool isInTurningCircle(const Eigen::Vector2d& p, double radius_m)
@@ -32,10 +41,10 @@ Places::Places(std::vector<Eigen::Vector2d> places, const Limits& limits_m) :
   }
 }
 
-bool Places::goOn(const geometry::Pose2& pose)
+bool Places::goOn(const geometry::Pose2& pose, const std::vector<Eigen::Vector3f>& obstacles)
 {
   const size_t before = next_;
-  while (next_ + 1 < places_.size() && isPassed(next_, pose))
+  while (next_ + 1 < places_.size() && (isPassed(next_, pose) || isBlocked(next_, pose, obstacles)))
   {
     ++next_;
   }
@@ -55,15 +64,23 @@ bool Places::isOver(const geometry::Pose2& pose) const
          (places_.back() - Eigen::Vector2d(pose.x_m, pose.y_m)).norm() < limits_m_.goal_tolerance;
 }
 
+bool Places::isBlocked(
+    size_t n, const geometry::Pose2& pose, const std::vector<Eigen::Vector3f>& obstacles) const
+{
+  const Eigen::Vector2d place = inVehicle(places_[n], pose);
+  const double most_m2 = limits_m_.half_width * limits_m_.half_width;
+  return place.norm() < 2 * limits_m_.near &&
+         std::any_of(
+             obstacles.begin(), obstacles.end(),
+             [&](const Eigen::Vector3f& p)
+             { return (p.head<2>().cast<double>() - place).squaredNorm() < most_m2; });
+}
+
 bool Places::isPassed(size_t n, const geometry::Pose2& pose) const
 {
   const Eigen::Vector2d to_place = places_[n] - Eigen::Vector2d(pose.x_m, pose.y_m);
-  const geometry::SinCos yaw = geometry::sinCosOf(pose.yaw_rad);
-  const Eigen::Vector2d p_vehicle(
-      yaw.cos * to_place.x() + yaw.sin * to_place.y(),
-      yaw.cos * to_place.y() - yaw.sin * to_place.x());
   if (to_place.norm() < limits_m_.tolerance ||
-      isInTurningCircle(p_vehicle, limits_m_.turning_radius))
+      isInTurningCircle(inVehicle(places_[n], pose), limits_m_.turning_radius))
   {
     return true;
   }

@@ -26,6 +26,7 @@ class Places
     double tolerance = 0;       //!< so near a place is reached
     double goal_tolerance = 0;  //!< likewise the last one
     double near = 0;            //!< what is further off is not passed
+    double half_width = 0;      //!< with an obstacle nearer, a place near by is none
   };
 
   /** Throws std::invalid_argument where a place is not finite. */
@@ -39,9 +40,10 @@ class Places
 
   const Eigen::Vector2d& operator[](size_t n) const { return places_[n]; }
 
-  /** Goes on to the next place that still lies before the vehicle; the last one is never passed
+  /** Goes on to the next place that still lies before the vehicle, and that no obstacle (of the
+   * vehicle's frame) stands on; the last one is never passed
    * so. Returns whether the next place is another one now. */
-  bool goOn(const geometry::Pose2& pose);
+  bool goOn(const geometry::Pose2& pose, const std::vector<Eigen::Vector3f>& obstacles = {});
 
   /** Goes on to the next place whatever it is; false at the last one. */
   bool skip();
@@ -53,6 +55,8 @@ class Places
 
  private:
   bool isPassed(size_t n, const geometry::Pose2& pose) const;
+  bool isBlocked(
+      size_t n, const geometry::Pose2& pose, const std::vector<Eigen::Vector3f>& obstacles) const;
 
   std::vector<Eigen::Vector2d> places_;
   size_t next_ = 0;

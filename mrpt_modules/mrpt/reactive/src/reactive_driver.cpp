@@ -56,6 +56,13 @@ size_t countInside(const geometry::Vehicle& vehicle, const std::vector<Eigen::Ve
   };
   return static_cast<size_t>(std::count_if(points.begin(), points.end(), isInside));
 }
+
+double halfWidth_m(const geometry::Vehicle& vehicle)
+{
+  const auto [right, left] =
+      std::minmax_element(vehicle.footprint_ys_m.begin(), vehicle.footprint_ys_m.end());
+  return (*left - *right) / 2;
+}
 }  // namespace
 
 class ReactiveDriver::Impl
@@ -86,7 +93,8 @@ class ReactiveDriver::Impl
         places, {.turning_radius = geometry::minTurningRadius_m(drivetrain_),
                  .tolerance = params_.waypoint_tolerance_m,
                  .goal_tolerance = params_.goal_tolerance_m,
-                 .near = params_.waypoint_spacing_m + params_.waypoint_tolerance_m});
+                 .near = params_.waypoint_spacing_m + params_.waypoint_tolerance_m,
+                 .half_width = halfWidth_m(vehicle_) + params_.grid_resolution_m});
     is_sent_ = false;
     has_arrived_ = false;
   }
@@ -111,7 +119,7 @@ class ReactiveDriver::Impl
       is_sent_ = false;
     }
     last_ = {senses.now, senses.pose};
-    if (places_.goOn(senses.pose))
+    if (places_.goOn(senses.pose, senses.obstacles))
     {
       is_sent_ = false;
     }
