@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "navigator_ini.h"
+#include "outline.h"
 #include "places.h"
 #include "senses_interface.h"
 #include "simulated_clock.h"
@@ -34,34 +35,6 @@ bool isSane(const Senses& senses)
       senses.motion.yaw_rate_radps};
   return std::all_of(
       std::begin(numbers), std::end(numbers), [](double n) { return std::abs(n) < kFarthest_m; });
-}
-
-/** How many of the points lie in the vehicle's outline: an even-odd count of its edges. */
-size_t countInside(const geometry::Vehicle& vehicle, const std::vector<Eigen::Vector3f>& points)
-{
-  const auto& xs = vehicle.footprint_xs_m;
-  const auto& ys = vehicle.footprint_ys_m;
-  const auto isInside = [&](const Eigen::Vector3f& p)
-  {
-    bool is_inside = false;
-    for (size_t i = 0, j = xs.size() - 1; i < xs.size(); j = i++)
-    {
-      if ((ys[i] > p.y()) != (ys[j] > p.y()) &&
-          p.x() < xs[i] + (p.y() - ys[i]) / (ys[j] - ys[i]) * (xs[j] - xs[i]))
-      {
-        is_inside = !is_inside;
-      }
-    }
-    return is_inside;
-  };
-  return static_cast<size_t>(std::count_if(points.begin(), points.end(), isInside));
-}
-
-double halfWidth_m(const geometry::Vehicle& vehicle)
-{
-  const auto [right, left] =
-      std::minmax_element(vehicle.footprint_ys_m.begin(), vehicle.footprint_ys_m.end());
-  return (*left - *right) / 2;
 }
 }  // namespace
 
