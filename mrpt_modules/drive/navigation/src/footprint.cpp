@@ -99,7 +99,7 @@ std::span<const RowSpan> Footprint::cells(const Stand& stand, const geometry::La
   const auto first_row = static_cast<int32_t>(std::floor(least_y));
   const auto last_row = static_cast<int32_t>(std::floor(most_y));
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  reach_.assign(static_cast<size_t>(last_row - first_row + 1), {kInfinity, -kInfinity});
+  reach_.assign(static_cast<size_t>(last_row - first_row) + 1, {kInfinity, -kInfinity});
   for (size_t k = 0; k < turned_.size(); ++k)
   {
     addEdge(turned_[k], turned_[(k + 1) % turned_.size()], first_row);

@@ -17,15 +17,13 @@ constexpr double kSteerReserve = 1.05;
 /** Of a vehicle that turns on the spot. */
 constexpr double kLeastRadius_m = 0.4;
 
-/** A metre on the tightest circle costs so much more than straight on. */
-constexpr double kBendPrice = 0.05;
-
 /** What is left counts so much more than what is behind: a path may cost so much more than the best
  * one, and is found much sooner. */
 constexpr double kHaste = 1.2;
 
-/** Shortest curves are reckoned so near the goal. */
-constexpr double kNear_radii = 8;
+/** After the first way, better ones are sought with as many expansions as it took and so many more.
+ */
+constexpr int kPatience = 500;
 
 constexpr double kSameHeading_rad = 0.09;  // about a heading's width
 
@@ -53,18 +51,20 @@ Path HybridSearch::search(const HybridTask& task)
   begin(task);
   const auto by_total = [](const Waiting& a, const Waiting& b)
   { return isLater(a.total, a.node, b.total, b.node); };
+  int enough = kPatience;
   while (!queue_.empty() && !gaveUp())
   {
     std::pop_heap(queue_.begin(), queue_.end(), by_total);
     const Waiting first = queue_.back();
     queue_.pop_back();
-    if (best_.node != kNone && best_.price <= first.total)
+    if (best_.node != kNone && (best_.price <= first.total || expansions_ >= enough))
     {
       break;
     }
     if (bins_.at(nodes_[static_cast<size_t>(first.node)].at) == first.node)
     {
       expand(first.node);
+      enough = best_.node == kNone ? kPatience + 2 * expansions_ : enough;
     }
   }
   return pathOf(best_.node != kNone ? best_ : near_);
@@ -215,90 +215,6 @@ void HybridSearch::shoot(int32_t from)
       best_ = {from, *price, std::move(way)};
     }
   }
-}
-
-bool HybridSearch::isBackward(const Node& node) const
-{
-  return node.arc != kNone && arcs_[static_cast<size_t>(node.arc)].motion.length_m < 0;
-}
-
-double HybridSearch::priceOfTurn(int32_t node, bool is_backward) const
-{
-  const Node& before = nodes_[static_cast<size_t>(node)];
-  return before.arc != kNone && isBackward(before) != is_backward ? params_.turn_price * kLeastPrice
-                                                                  : 0;
-}
-
-double HybridSearch::distanceToGoal_m(const Posed& at) const
-{
-  const double dx = task_.goal.x_m - at.stand.place.x_m;
-  const double dy = task_.goal.y_m - at.stand.place.y_m;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
-double HybridSearch::leastFrom(const Posed& at)
-{
-  const double by_field = task_.field->priceFrom(task_.terrain->indexAt(at.stand.place));
-  if (!task_.yaw_rad || !(by_field < PriceField::kNever) ||
-      distanceToGoal_m(at) > kNear_radii * radius_m_)
-  {
-    return by_field;
-  }
-  const double by_curve =
-      curves_.least_m(at, {task_.goal.x_m, task_.goal.y_m, *task_.yaw_rad}) * kLeastPrice;
-  return std::max(by_field, by_curve);
-}
-
-/** kNever where it meets something. */
-double HybridSearch::priceOf(const Posed& from, const Motion& motion, std::span<const Shift> steps)
-{
-  double sum = 0;
-  Place last = from.stand.place;
-  for (const Shift& step : steps)
-  {
-    const Posed next = after(from, step);
-    if (!task_.terrain->covers(next.stand.place))
-    {
-      return PriceField::kNever;
-    }
-    sum += task_.terrain->priceOfLine(last, next.stand.place);
-    if (!(sum < PriceField::kNever) || task_.obstacles->isHit(footprint_, next.stand))
-    {
-      return PriceField::kNever;
-    }
-    last = next.stand.place;
-  }
-  const double bend = 1 + kBendPrice * std::abs(motion.curvature_1pm) * radius_m_;
-  return sum * bend * (motion.length_m < 0 ? params_.reverse_price : 1);
-}
-
-/** From the start, by this node; nothing where it meets something or is too dear. */
-std::optional<double> HybridSearch::priceOf(int32_t from, std::span<const Motion> motions)
-{
-  constexpr double kMeets_m = 0.01;
-  const Node& node = nodes_[static_cast<size_t>(from)];
-  Posed at = node.at;
-  double sum = node.price;
-  bool is_backward = isBackward(node);
-  bool has_driven = node.arc != kNone;
-  for (const Motion& motion : motions)
-  {
-    if (motion.length_m == 0)
-    {
-      continue;
-    }
-    const bool turns = has_driven && is_backward != (motion.length_m < 0);
-    is_backward = motion.length_m < 0;
-    has_driven = true;
-    const std::vector<Shift> steps = stepsOf(motion);
-    sum += (turns ? params_.turn_price * kLeastPrice : 0) + priceOf(at, motion, steps);
-    if (!(sum < PriceField::kNever) || (best_.node != kNone && sum >= best_.price))
-    {
-      return std::nullopt;
-    }
-    at = steps.empty() ? at : after(at, steps.back());
-  }
-  return distanceToGoal_m(at) <= kMeets_m ? std::optional<double>(sum) : std::nullopt;
 }
 
 Path HybridSearch::pathOf(const Ending& ending) const

@@ -36,8 +36,8 @@ void PriceField::start(const Terrain& terrain, std::span<const Seed> seeds)
   // prices that lie far apart fewer, wider ones, in which cells may be settled more than once.
   constexpr double kMostBuckets = 100000;
   const double reach =
-      std::max(2 * diagonal_m * terrain.highest(), seeds.empty() ? 0 : highest - lowest_);
-  bucket_width_ = std::max(cell_m * kLeastPrice * 0.999, reach / kMostBuckets);
+      std::max(2 * diagonal_m * double{terrain.highest()}, seeds.empty() ? 0.0 : highest - lowest_);
+  bucket_width_ = std::max(cell_m * double{kLeastPrice} * 0.999, reach / kMostBuckets);
   for (std::vector<uint32_t>& bucket : buckets_)
   {
     bucket.clear();

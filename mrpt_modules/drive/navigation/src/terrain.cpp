@@ -91,6 +91,6 @@ double Terrain::priceOfLine(Place from, Place to) const
       });
   const double dx = to.x_m - from.x_m;
   const double dy = to.y_m - from.y_m;
-  return is_open ? sum * std::sqrt(dx * dx + dy * dy) : double{kClosed};
+  return is_open ? sum * std::sqrt(dx * dx + dy * dy) : std::numeric_limits<double>::infinity();
 }
 }  // namespace traverse::navigation

@@ -52,23 +52,23 @@ void forNeighbours(CellIndex c, F&& f)
 
 void Terrain::openSoftAround(const Costmap& costmap, std::vector<CellIndex>& front)
 {
+  const auto offer = [&](CellIndex c)
+  {
+    if (costmap.passageAt(c) != Passage::soft || isOpen(indexOf(c)))
+    {
+      return;
+    }
+    open(indexOf(c), costmap.price[costmap.indexOf(c)]);
+    if (isOpen(indexOf(c)))
+    {
+      front.push_back(c);
+    }
+  };
   while (!front.empty())
   {
     const CellIndex c = front.back();
     front.pop_back();
-    forNeighbours(
-        c,
-        [&](CellIndex n)
-        {
-          if (costmap.passageAt(n) == Passage::soft && !isOpen(indexOf(n)))
-          {
-            open(indexOf(n), costmap.price[costmap.indexOf(n)]);
-            if (isOpen(indexOf(n)))
-            {
-              front.push_back(n);
-            }
-          }
-        });
+    forNeighbours(c, offer);
   }
 }
 

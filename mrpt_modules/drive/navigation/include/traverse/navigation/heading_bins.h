@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +28,7 @@ class HeadingBins
   {
     lattice_ = lattice;
     extent_ = extent;
-    cells_ = std::max(1, static_cast<int32_t>(kWidth_m / lattice.cell_m() + 0.5));
+    cells_ = std::max(1, static_cast<int32_t>(std::lround(kWidth_m / lattice.cell_m())));
     columns_ = static_cast<size_t>((extent.width() + cells_ - 1) / cells_);
     block_.assign(columns_ * static_cast<size_t>((extent.height() + cells_ - 1) / cells_), kNone);
     blocks_.clear();

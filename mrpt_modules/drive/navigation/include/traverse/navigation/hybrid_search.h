@@ -29,7 +29,8 @@ struct HybridTask
 /** Hybrid A*: over places and headings by arcs that the vehicle can drive (Dolgov, Thrun,
  * Montemerlo, Diebel 2010). What is left costs no less than the field says, nor than the shortest
  * curve without obstacles. Such curves are tried to the goal, the more often the nearer it is; the
- * search ends when no other way can be cheaper by more than 20 %, as far as the field knows. */
+ * search ends when no other way can be cheaper by more than 20 %, as far as the field knows, or
+ * better ones have been sought for as long as the first took. */
 class HybridSearch
 {
  public:
