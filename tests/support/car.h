@@ -57,8 +57,9 @@ inline Driven expectDriveable(
     EXPECT_GT(step_m, 0) << k;
     EXPECT_LE(step_m, 0.1 + 1e-9) << k;
     EXPECT_LE(std::abs(a.curvature_1pm), most_1pm) << k;
-    // By the middle of the arc: what it turns is curvature times way, and it moves along the heading
-    // between. 1e-4 m: an arc of 0.1 m of the tightest circle is 3e-5 m longer than its chord.
+    // By the middle of the arc: what it turns is curvature times way, and it moves along the
+    // heading between. 1e-4 m: an arc of 0.1 m of the tightest circle is 3e-5 m longer than its
+    // chord.
     const double signed_m = a.is_backward ? -step_m : step_m;
     const double turn = std::remainder(b.pose.yaw_rad - a.pose.yaw_rad, 2 * M_PI);
     EXPECT_NEAR(turn, a.curvature_1pm * signed_m, 1e-9) << k;

@@ -72,7 +72,9 @@ inline bool areApart(const std::vector<Corner>& a, const std::vector<Corner>& b,
 
 /** Some obstacle cell reaches more than `deep_m` into the outline. */
 inline bool touchesObstacle(
-    const navigation::Costmap& map, const geometry::Vehicle& vehicle, const geometry::Pose2& pose,
+    const navigation::Costmap& map,
+    const geometry::Vehicle& vehicle,
+    const geometry::Pose2& pose,
     double deep_m)
 {
   const std::vector<Corner> outline = outlineAt(vehicle, pose);
@@ -84,7 +86,8 @@ inline bool touchesObstacle(
     least = {std::min(least[0], c[0]), std::min(least[1], c[1])};
     most = {std::max(most[0], c[0]), std::max(most[1], c[1])};
   }
-  for (double x0 = (std::floor(least[0] / cell_m) - 1) * cell_m; x0 < most[0] + cell_m; x0 += cell_m)
+  for (double x0 = (std::floor(least[0] / cell_m) - 1) * cell_m; x0 < most[0] + cell_m;
+       x0 += cell_m)
   {
     for (double y0 = (std::floor(least[1] / cell_m) - 1) * cell_m; y0 < most[1] + cell_m;
          y0 += cell_m)

@@ -147,7 +147,11 @@ void HybridSearch::offer(int32_t from, int32_t arc_index)
   }
   int32_t& bin = bins_.at(node.at);
   const double base = before.price + priceOfTurn(from, arc.motion.length_m < 0);
-  const double rival = bin == kNone ? PriceField::kNever : nodes_[static_cast<size_t>(bin)].price;
+  double rival = PriceField::kNever;
+  if (bin != kNone)
+  {
+    rival = nodes_[static_cast<size_t>(bin)].price;
+  }
   if (base + std::abs(arc.motion.length_m) * kLeastPrice >= rival)
   {
     return;

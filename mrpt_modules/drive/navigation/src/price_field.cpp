@@ -45,7 +45,7 @@ void PriceField::start(const Terrain& terrain, std::span<const Seed> seeds)
   buckets_.resize(static_cast<size_t>(reach / bucket_width_) + 3);
   bucket_ = 0;
   waiting_ = 0;
-  settled_below_ = seeds.empty() ? kNever : lowest_;
+  settled_below_ = lowest_;  // kNever without seeds
   for (const Seed& seed : seeds)
   {
     put(seed.index, seed.price);

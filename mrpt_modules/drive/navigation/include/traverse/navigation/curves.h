@@ -11,8 +11,8 @@
 namespace traverse::navigation
 {
 /** Shortest curves of a car-like vehicle where nothing stands in its way: Reeds and Shepp's, and
- * Dubins's, which are all forward (OMPL), or an arc and a straight line where any heading will do at
- * the end. OMPL uses libm: these curves may differ in their last bits between processors. */
+ * Dubins's, which are all forward (OMPL), or an arc and a straight line where any heading will do
+ * at the end. OMPL uses libm: these curves may differ in their last bits between processors. */
 class Curves
 {
  public:
@@ -32,7 +32,10 @@ class Curves
   struct Spaces;
 
   void addArcAndLine(
-      std::vector<std::vector<Motion>>& ways, const Posed& from, Place place, bool is_backward) const;
+      std::vector<std::vector<Motion>>& ways,
+      const Posed& from,
+      Place place,
+      bool is_backward) const;
 
   double radius_m_;
   bool drives_backward_;

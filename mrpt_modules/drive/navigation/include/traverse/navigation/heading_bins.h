@@ -40,16 +40,16 @@ class HeadingBins
   int32_t& at(const Posed& pose)
   {
     const geometry::CellIndex c = cellOf(pose.stand.place, lattice_);
-    int32_t& block =
-        block_[static_cast<size_t>((c.y - extent_.min.y) / cells_) * columns_ +
-               static_cast<size_t>((c.x - extent_.min.x) / cells_)];
+    int32_t& block = block_
+        [static_cast<size_t>((c.y - extent_.min.y) / cells_) * columns_ +
+         static_cast<size_t>((c.x - extent_.min.x) / cells_)];
     if (block == kNone)
     {
       block = static_cast<int32_t>(blocks_.size());
       blocks_.emplace_back().fill(kNone);
     }
-    const int turn = static_cast<int>(
-        (pose.yaw_rad + geometry::kPi) * (kHeadings / (2 * geometry::kPi)));
+    const int turn =
+        static_cast<int>((pose.yaw_rad + geometry::kPi) * (kHeadings / (2 * geometry::kPi)));
     return blocks_[static_cast<size_t>(block)][static_cast<size_t>(turn % kHeadings)];
   }
 

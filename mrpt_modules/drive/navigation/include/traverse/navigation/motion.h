@@ -61,8 +61,7 @@ inline Posed after(const Posed& from, const Shift& shift)
         from.stand.place.y_m + shift.x_m * a.sin + shift.y_m * a.cos},
        {a.sin * shift.yaw.cos + a.cos * shift.yaw.sin,
         a.cos * shift.yaw.cos - a.sin * shift.yaw.sin}},
-      std::abs(yaw_rad) <= geometry::kPi ? yaw_rad
-                                         : std::remainder(yaw_rad, 2 * geometry::kPi)};
+      std::abs(yaw_rad) <= geometry::kPi ? yaw_rad : std::remainder(yaw_rad, 2 * geometry::kPi)};
 }
 
 /** Shifts to places every 10 cm or less along a motion, the last one to its end. */
