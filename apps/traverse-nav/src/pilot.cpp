@@ -200,9 +200,9 @@ navigation::SpeedLimit Pilot::limitAt(
       plan_.path.begin() + static_cast<std::ptrdiff_t>(at), plan_.path.end());
   const auto limits = navigation::speedProfile(
       ahead, costmap_, settings_.drivetrain, std::abs(motion.speed_mps), settings_.speed);
-  // What may be driven a step from here: at the vehicle's own place the profile starts with what it
-  // has.
-  return limits[std::min<size_t>(1, limits.size() - 1)];
+  // the first point's is what it has or must brake to, the second's what it may come to
+  const bool may_grow = limits.size() > 1 && limits[1].speed_mps > limits[0].speed_mps;
+  return limits[may_grow ? 1 : 0];
 }
 
 bool Pilot::isGoalBlocked() const
