@@ -47,12 +47,35 @@ geometry::CellRect windowOf(
   return {{first(extent.min.x), first(extent.min.y)}, {end(extent.max.x), end(extent.max.y)}};
 }
 
-/** The point of a path that is nearest to a place. */
-size_t nearestOf(const navigation::Path& path, const geometry::Pose2& pose)
+/** From far off a goal may look blocked that is not: the open place next to it, to look from there.
+ */
+std::optional<navigation::Goal> openNear(
+    const navigation::Costmap& costmap, const navigation::Goal& goal)
 {
-  const auto nearer = [&](const navigation::PathPoint& a, const navigation::PathPoint& b)
-  { return distance(pose, a.pose.x_m, a.pose.y_m) < distance(pose, b.pose.x_m, b.pose.y_m); };
-  return static_cast<size_t>(std::min_element(path.begin(), path.end(), nearer) - path.begin());
+  constexpr int32_t kReach_m = 4;
+  const geometry::CellIndex middle = costmap.cellAt(goal.x_m, goal.y_m);
+  const auto reach = static_cast<int32_t>(kReach_m / costmap.lattice.cell_m());
+  std::optional<geometry::CellIndex> best;
+  int32_t best_squared = reach * reach + 1;
+  for (int32_t dy = -reach; dy <= reach; ++dy)
+  {
+    for (int32_t dx = -reach; dx <= reach; ++dx)
+    {
+      const geometry::CellIndex cell = {middle.x + dx, middle.y + dy};
+      const int32_t squared = dx * dx + dy * dy;
+      if (squared < best_squared && costmap.passageAt(cell) == Passage::open)
+      {
+        best = cell;
+        best_squared = squared;
+      }
+    }
+  }
+  if (!best)
+  {
+    return std::nullopt;
+  }
+  return navigation::Goal{
+      costmap.lattice.centre_m(best->x), costmap.lattice.centre_m(best->y), std::nullopt};
 }
 }  // namespace
 
@@ -63,7 +86,10 @@ Pilot::Pilot(
     settings_(settings),
     maps_(buildMaps(settings.ini, settings.maps)),
     planner_(settings.robot.vehicle, settings.drivetrain, settings.plan),
-    driver_(settings.robot.vehicle, settings.drivetrain, settings.reactive, cache, log_folder),
+    follower_(
+        {settings.robot.vehicle, settings.drivetrain, settings.reactive, settings.speed},
+        cache,
+        log_folder),
     guard_(settings.robot.vehicle, settings.drivetrain, settings.guard),
     supervisor_(settings.watchdogs, settings.plan.goal_tolerance_m)
 {
@@ -78,7 +104,7 @@ void Pilot::goTo(const navigation::Goal& goal)
   goal_ = goal;
   plan_ = {};
   last_plan_ = 0;
-  driver_.follow({});
+  follower_.follow({}, {});
 }
 
 void Pilot::take(const points::Scan& scan, const poses::PoseTrack& track)
@@ -149,23 +175,6 @@ void Pilot::lookAtMaps(poses::TimeNs now, const geometry::Pose2& pose)
       });
 }
 
-void Pilot::followWay(const geometry::Pose2& pose)
-{
-  std::vector<Eigen::Vector2d> places;
-  const navigation::Path& path = plan_.path;
-  double next_m = settings_.reactive.waypoint_spacing_m;
-  const size_t first = path.empty() ? 0 : nearestOf(path, pose);
-  for (size_t i = first; i < path.size(); ++i)
-  {
-    if (path[i].along_m - path[first].along_m >= next_m || i + 1 == path.size())
-    {
-      places.emplace_back(path[i].pose.x_m, path[i].pose.y_m);
-      next_m += settings_.reactive.waypoint_spacing_m;
-    }
-  }
-  driver_.follow(places);
-}
-
 void Pilot::keepWay(poses::TimeNs now, const geometry::Pose2& pose)
 {
   if (!goal_ || costmap_.size() == 0)
@@ -184,25 +193,26 @@ void Pilot::keepWay(poses::TimeNs now, const geometry::Pose2& pose)
   }
   last_plan_ = now;
   ++plans_[static_cast<size_t>(reason)];
-  plan_ = latencies_.time(Stage::plan, [&] { return planner_.plan(costmap_, pose, *goal_); });
-  followWay(pose);
+  plan_ = latencies_.time(Stage::plan, [&] { return planToGoal(pose); });
+  follower_.follow(plan_.path, pose);
 }
 
-navigation::SpeedLimit Pilot::limitAt(
-    const geometry::Pose2& pose, const geometry::Twist2& motion) const
+navigation::Plan Pilot::planToGoal(const geometry::Pose2& pose)
 {
-  if (plan_.path.empty())
+  if (!isGoalBlocked())
   {
-    return {0, navigation::SpeedReason::end};
+    return planner_.plan(costmap_, pose, *goal_);
   }
-  const size_t at = nearestOf(plan_.path, pose);
-  const navigation::Path ahead(
-      plan_.path.begin() + static_cast<std::ptrdiff_t>(at), plan_.path.end());
-  const auto limits = navigation::speedProfile(
-      ahead, costmap_, settings_.drivetrain, std::abs(motion.speed_mps), settings_.speed);
-  // the first point's is what it has or must brake to, the second's what it may come to
-  const bool may_grow = limits.size() > 1 && limits[1].speed_mps > limits[0].speed_mps;
-  return limits[may_grow ? 1 : 0];
+  const auto near = openNear(costmap_, *goal_);
+  if (!near || distance(pose, near->x_m, near->y_m) < settings_.plan.goal_tolerance_m)
+  {
+    navigation::Plan none;
+    none.why_not = "the goal lies in an obstacle or its hard buffer";
+    return none;
+  }
+  navigation::Plan plan = planner_.plan(costmap_, pose, *near);
+  plan.is_whole = false;  // looked at again on the way
+  return plan;
 }
 
 bool Pilot::isGoalBlocked() const
@@ -246,11 +256,11 @@ PilotStep Pilot::decide(
     const geometry::Pose2& pose,
     const geometry::Twist2& motion)
 {
-  const navigation::SpeedLimit limit = limitAt(pose, motion);
+  const navigation::SpeedLimit limit = follower_.limitAt(pose, motion, costmap_);
   reactive::Senses senses{now, pose, motion, {}, limit.speed_mps};
   senses.obstacles =
       navigation::obstaclePoints(costmap_, pose, settings_.reactive.reference_distance_m + 1);
-  const reactive::Command command = driver_.step(senses);
+  const reactive::Command command = follower_.step(senses);
   navigation::Situation situation;
   situation.now = now;
   situation.last_scan = last_scan_;
@@ -260,7 +270,7 @@ PilotStep Pilot::decide(
   situation.has_motion = command.outcome == reactive::Outcome::driving ||
                          command.outcome == reactive::Outcome::arrived;
   situation.wants_motion = command.twist.speed_mps != 0 || command.twist.yaw_rate_radps != 0;
-  situation.is_goal_blocked = isGoalBlocked();
+  situation.is_goal_blocked = plan_.path.empty() && isGoalBlocked();
   situation.to_goal_m = goal_ ? distance(pose, goal_->x_m, goal_->y_m) : 1e9;
   PilotStep result;
   result.conduct = supervisor_.step(situation);
@@ -276,6 +286,7 @@ PilotStep Pilot::decide(
   {
     result.command = backOff(motion, senses.obstacles);
     plan_ = {};
+    follower_.follow({}, pose);
   }
   return result;
 }

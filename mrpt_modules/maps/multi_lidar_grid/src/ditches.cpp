@@ -45,7 +45,7 @@ float heightOf(const FanBeam& beam)
 void FanTrace::findDitches(const BeamFans& fans, std::span<const FanBeam> beams)
 {
   const GroundWay middle = wayTo(fans.direction(fan_, 0));
-  const float most_m = std::min(middle.inside.to_m, scene_.range_m);
+  const float most_m = std::min({middle.inside.to_m, scene_.range_m, scene_.rules.ditch_range_m});
   Landing before;
   Landing brink;  // of the last ditch
   for (size_t k = 0; k < beams.size(); ++k)

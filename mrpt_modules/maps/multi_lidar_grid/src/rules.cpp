@@ -5,6 +5,8 @@
 #include <traverse/geometry/exact_trig.h>
 #include <traverse/geometry/lattice.h>
 
+#include <limits>
+
 namespace traverse::multi_lidar_grid
 {
 namespace
@@ -23,7 +25,10 @@ Rules::Rules(const Params& params, const geometry::Vehicle& vehicle) :
     robot_mm(millimetres(vehicle.height_m)),
     depth_mm(millimetres(params.negative_depth_m)),
     max_slope(geometry::tangentOf(vehicle.max_slope_deg * geometry::kPi / 180)),
-    clearing_range_m(params.clearing_range_m)
+    clearing_range_m(params.clearing_range_m),
+    ditch_range_m(
+        params.negative_range_m > 0 ? static_cast<float>(params.negative_range_m)
+                                    : std::numeric_limits<float>::infinity())
 {
 }
 }  // namespace traverse::multi_lidar_grid

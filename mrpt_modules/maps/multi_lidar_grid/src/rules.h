@@ -21,6 +21,7 @@ struct Rules
   int32_t depth_mm = 0;
   double max_slope = 0;  //!< up per along
   double clearing_range_m = 0;
+  float ditch_range_m = 0;
 
   Rules(const Params& params, const geometry::Vehicle& vehicle);
 

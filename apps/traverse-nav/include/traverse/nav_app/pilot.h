@@ -5,6 +5,7 @@
 #include <traverse/common_app/map_set.h>
 #include <traverse/nav_app/latency.h>
 #include <traverse/nav_app/settings.h>
+#include <traverse/nav_app/way_follower.h>
 #include <traverse/navigation/costmap.h>
 #include <traverse/navigation/planner.h>
 #include <traverse/points/decoded.h>
@@ -75,10 +76,9 @@ class Pilot
   std::vector<navigation::MapLayers> named(const std::vector<layers::LayerSet>& sets) const;
   void lookAtMaps(poses::TimeNs now, const geometry::Pose2& pose);
   void keepWay(poses::TimeNs now, const geometry::Pose2& pose);
-  void followWay(const geometry::Pose2& pose);
-  navigation::SpeedLimit limitAt(const geometry::Pose2& pose, const geometry::Twist2& motion) const;
   geometry::Twist2 backOff(
       const geometry::Twist2& motion, std::span<const Eigen::Vector3f> obstacles) const;
+  navigation::Plan planToGoal(const geometry::Pose2& pose);
   bool isGoalBlocked() const;
   PilotStep decide(
       poses::TimeNs now,
@@ -89,7 +89,7 @@ class Pilot
   const NavSettings& settings_;
   std::vector<BuiltMap> maps_;
   navigation::Planner planner_;
-  reactive::ReactiveDriver driver_;
+  WayFollower follower_;
   navigation::MotionGuard guard_;
   navigation::Supervisor supervisor_;
   navigation::Costmap costmap_;

@@ -44,6 +44,7 @@ struct Params
   TraceRule trace = TraceRule::standard;
   double obstacle_height_m = 0.25;
   double negative_depth_m = 0.25;
+  double negative_range_m = 0;
   double max_range_m = 80;
   std::string clearing_labels;
   double clearing_range_m = 20;
@@ -107,6 +108,13 @@ void visitCells(P& p, F&& f)
           "where the ground falls away by more, it is a negative obstacle, m; 0: none are sought",
           {0, 10}},
       p.negative_depth_m);
+  f(
+      Option{
+          "negative_range_m",
+          "negative obstacles are sought no further from the sensor, where rings lie metres apart, "
+          "m; 0: as far as it sees",
+          {0, 1000}},
+      p.negative_range_m);
   f(Option{"max_range_m", "returns further from their sensor are left out, m", {0.5, 1000}},
     p.max_range_m);
   f(
