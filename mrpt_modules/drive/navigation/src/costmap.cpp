@@ -123,6 +123,13 @@ void setPassages(
   {
     const size_t place = states[i] * PassageTable::kZones + zones[i];
     passage[i] = table.passage[place];
+    if (zones[i] == static_cast<uint8_t>(BufferZone::strip))
+    {
+      const auto columns = static_cast<size_t>(costmap.extent.width());
+      costmap.strip.push_back(
+          {costmap.extent.min.x + static_cast<int32_t>(i % columns),
+           costmap.extent.min.y + static_cast<int32_t>(i / columns)});
+    }
     price[i] += table.price[place];
   }
 }

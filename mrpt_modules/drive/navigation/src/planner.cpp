@@ -127,6 +127,10 @@ class Planner::Impl
     {
       return none("the vehicle is outside the costmap");
     }
+    if (is_hybrid_)
+    {
+      terrain_.openBesideStrips(costmap);
+    }
     terrain_.openWayOut(costmap, cellOf(from, terrain_.lattice()), footprint_.radius_m());
     const bool is_within = terrain_.covers(to) &&
                            (costmap.is_unknown_planned ||

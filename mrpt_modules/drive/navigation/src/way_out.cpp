@@ -83,6 +83,25 @@ void Terrain::openSoft(const Costmap& costmap, CellIndex from)
   openSoftAround(costmap, front);
 }
 
+void Terrain::openBesideStrips(const Costmap& costmap)
+{
+  constexpr int32_t kBeside = 2;
+  for (const CellIndex& c : costmap.strip)
+  {
+    for (int32_t y = c.y - kBeside; y <= c.y + kBeside; ++y)
+    {
+      for (int32_t x = c.x - kBeside; x <= c.x + kBeside; ++x)
+      {
+        const CellIndex beside = {x, y};
+        if (costmap.passageAt(beside) == Passage::soft && !isOpen(indexOf(beside)))
+        {
+          open(indexOf(beside), costmap.price[costmap.indexOf(beside)]);
+        }
+      }
+    }
+  }
+}
+
 void Terrain::openWayOut(const Costmap& costmap, CellIndex from, double radius_m)
 {
   if (costmap.passageAt(from) < Passage::hard)

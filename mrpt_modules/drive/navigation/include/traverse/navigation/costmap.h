@@ -44,7 +44,8 @@ struct Costmap
   std::vector<float> speed_mps;  //!< highest speed that the ground allows; infinity: no limit
   std::vector<float>
       obstacle_m;  //!< what stands there over the ground, m; NaN: nothing or not known
-  bool is_unknown_planned = true;  //!< CostParams::unknown is not UnknownPolicy::never
+  std::vector<geometry::CellIndex> strip;  //!< cells cut out of soft buffers that meet
+  bool is_unknown_planned = true;          //!< CostParams::unknown is not UnknownPolicy::never
 
   size_t size() const { return passage.size(); }
 

@@ -32,6 +32,9 @@ class Terrain
   /** Opens the soft cells that hang together with this one, if it is soft. */
   void openSoft(const Costmap& costmap, geometry::CellIndex from);
 
+  /** Opens soft cells up to 2 cells beside strips: arcs cannot hold a line of single cells. */
+  void openBesideStrips(const Costmap& costmap);
+
   /** Opens what leads out of the hard buffer, where the vehicle stands in one or, by noise, in an
    * obstacle: hard cells, and obstacle cells within `radius_m` of it, each no nearer to an obstacle
    * than the one before. Then the soft cells around. */
