@@ -31,10 +31,18 @@ std::string scene(const std::string& things)
 const std::string box_on_the_way =
     "[Object_01]\nkind = box\nx_m = 0\ny_m = 0.5\nlength_m = 1\nwidth_m = 3\nheight_m = 1.2\n";
 
-/** The goal's own four walls. */
-const std::string walled_goal =
-    "[Object_01]\nkind = wall\nx_m = 5\ny_m = 0\nxs_m = -1.5 1.5 1.5 -1.5 -1.5\n"
-    "ys_m = -1.5 -1.5 1.5 1.5 -1.5\n";
+std::string board(int number, double x_m, double y_m, int yaw_deg)
+{
+  return "[Object_0" + std::to_string(number) + "]\nkind = box\nx_m = " + std::to_string(x_m) +
+         "\ny_m = " + std::to_string(y_m) + "\nyaw_deg = " + std::to_string(yaw_deg) +
+         "\nlength_m = 3.2\nwidth_m = 0.2\nheight_m = 1.2\n";
+}
+
+/** Four boards around the goal. */
+std::string boardedGoal()
+{
+  return board(1, 5, 1.5, 0) + board(2, 5, -1.5, 0) + board(3, 3.5, 0, 90) + board(4, 6.5, 0, 90);
+}
 
 const std::string robot =
     "[traverse-nav]\nscene = scene.ini\nmax_time_s = 40\ncontrol_hz = 10\n"
@@ -100,7 +108,7 @@ TEST_F(TraverseNav, DrivesRoundABoxToItsGoalAndTheSameSeedDrivesTheSame)
 
 TEST_F(TraverseNav, StandsAndSaysSoWithinThreeSecondsWhereThereIsNoWay)
 {
-  write("scene.ini", scene(walled_goal));
+  write("scene.ini", scene(boardedGoal()));
   write("robot.ini", robot);
   ASSERT_EQ(navigate({"--output", path("a")}), app::ExitCode::done);
   const auto metrics = nlohmann::json::parse(bytes("a/metrics.json"));
@@ -108,6 +116,9 @@ TEST_F(TraverseNav, StandsAndSaysSoWithinThreeSecondsWhereThereIsNoWay)
   EXPECT_EQ(metrics["collisions"], 0);
   EXPECT_NE(metrics["end"].get<std::string>().find("no way"), std::string::npos) << metrics["end"];
   EXPECT_LT(metrics["time_s"], 38);  // it gave up by itself
+  // the last stop was stated when the way was lost, no_way_s before the end
+  const std::string decisions = bytes("a/decisions.csv");
+  EXPECT_NE(decisions.find("give_up,no_way"), std::string::npos) << decisions;
 }
 
 TEST_F(TraverseNav, RefusesWhatItCannotUse)
