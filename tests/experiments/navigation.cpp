@@ -92,8 +92,8 @@ nlohmann::json driven(const Drive& what, uint64_t seed)
       {"off_middle_m", offMiddle_m(mission.scene, result)},
       {"stops", result.stops},
       {"time_over_optimum", result.time_s * settings.drivetrain.max_speed_mps / best_m},
-      {"control_p95_ms", pilot.latencies().percentile_ms(app::Stage::control, 0.95)},
-      {"maps_p95_ms", pilot.latencies().percentile_ms(app::Stage::maps, 0.95)},
+      {"control_p95_ms", pilot.latencies().percentileMs(app::Stage::control, 0.95)},
+      {"maps_p95_ms", pilot.latencies().percentileMs(app::Stage::maps, 0.95)},
       {"end", result.end}};
 }
 

@@ -7,7 +7,7 @@
 
 namespace traverse::app
 {
-double Latencies::percentile_ms(Stage stage, double share) const
+double Latencies::percentileMs(Stage stage, double share) const
 {
   std::vector<float> times = times_ms_[static_cast<size_t>(stage)];
   if (times.empty())

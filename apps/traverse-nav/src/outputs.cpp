@@ -24,10 +24,10 @@ Json latenciesOf(const Latencies& latencies)
     const auto stage = static_cast<Stage>(i);
     all[std::string(kStageNames[i])] = {
         {"count", latencies.count(stage)},
-        {"p50_ms", latencies.percentile_ms(stage, 0.5)},
-        {"p95_ms", latencies.percentile_ms(stage, 0.95)},
-        {"p99_ms", latencies.percentile_ms(stage, 0.99)},
-        {"most_ms", latencies.percentile_ms(stage, 1)}};
+        {"p50_ms", latencies.percentileMs(stage, 0.5)},
+        {"p95_ms", latencies.percentileMs(stage, 0.95)},
+        {"p99_ms", latencies.percentileMs(stage, 0.99)},
+        {"most_ms", latencies.percentileMs(stage, 1)}};
   }
   return all;
 }

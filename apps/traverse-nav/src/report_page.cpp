@@ -101,7 +101,7 @@ Section latencies(const Pilot& pilot)
     std::vector<std::string> row = {std::string(kStageNames[i]), std::to_string(all.count(stage))};
     for (const double share : {0.5, 0.95, 0.99, 1.0})
     {
-      row.push_back(fmt::format("{:.2f}", all.percentile_ms(stage, share)));
+      row.push_back(fmt::format("{:.2f}", all.percentileMs(stage, share)));
     }
     table.rows.push_back(row);
   }

@@ -11,6 +11,12 @@ namespace traverse::navigation
 {
 namespace
 {
+/** Cells beside a strip that are as good: arcs cannot hold a line of single cells. */
+constexpr int32_t kBesideStrip = 2;
+
+/** Where there is no way otherwise: strips through what is seen from within have gaps. */
+constexpr int32_t kBesideBrokenStrip = 5;
+
 constexpr double kStep_m = 0.1;
 
 bool isUsable(Place place)
@@ -122,15 +128,24 @@ class Planner::Impl
     {
       return none("start or goal is no place");
     }
+    Plan way = planBeside(costmap, start, goal, is_hybrid_ ? kBesideStrip : 0);
+    const bool may_widen = way.path.empty() && !costmap.strip.empty();
+    return may_widen ? planBeside(costmap, start, goal, kBesideBrokenStrip) : way;
+  }
+
+ private:
+  /** Soft cells so near to strips are open. */
+  Plan planBeside(
+      const Costmap& costmap, const geometry::Pose2& start, const Goal& goal, int32_t beside_strip)
+  {
+    const Place from = {start.x_m, start.y_m};
+    const Place to = {goal.x_m, goal.y_m};
     terrain_.set(costmap);
     if (!terrain_.covers(from))
     {
       return none("the vehicle is outside the costmap");
     }
-    if (is_hybrid_)
-    {
-      terrain_.openBesideStrips(costmap);
-    }
+    terrain_.openBesideStrips(costmap, beside_strip);
     terrain_.openWayOut(costmap, cellOf(from, terrain_.lattice()), footprint_.radius_m());
     const bool is_within = terrain_.covers(to) &&
                            (costmap.is_unknown_planned ||
@@ -141,7 +156,6 @@ class Planner::Impl
     return plan;
   }
 
- private:
   Plan planTo(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal)
   {
     const geometry::CellIndex cell = cellOf({goal.x_m, goal.y_m}, terrain_.lattice());

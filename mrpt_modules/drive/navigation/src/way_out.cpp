@@ -83,14 +83,17 @@ void Terrain::openSoft(const Costmap& costmap, CellIndex from)
   openSoftAround(costmap, front);
 }
 
-void Terrain::openBesideStrips(const Costmap& costmap)
+void Terrain::openBesideStrips(const Costmap& costmap, int32_t reach)
 {
-  constexpr int32_t kBeside = 2;
+  if (reach <= 0)
+  {
+    return;
+  }
   for (const CellIndex& c : costmap.strip)
   {
-    for (int32_t y = c.y - kBeside; y <= c.y + kBeside; ++y)
+    for (int32_t y = c.y - reach; y <= c.y + reach; ++y)
     {
-      for (int32_t x = c.x - kBeside; x <= c.x + kBeside; ++x)
+      for (int32_t x = c.x - reach; x <= c.x + reach; ++x)
       {
         const CellIndex beside = {x, y};
         if (costmap.passageAt(beside) == Passage::soft && !isOpen(indexOf(beside)))

@@ -200,7 +200,7 @@ void locate(const BeamFrame& frame, const PointArrays& in, BeamPoints& points)
   points.bad = 0;
   points.inside = 0;
   const bool moves = frame.origins > 1 && in.time_s != nullptr;
-  Piece piece;
+  Piece piece{};
   stay(frame, piece);
   for (size_t first = 0; first < in.size; first += kPiece)
   {

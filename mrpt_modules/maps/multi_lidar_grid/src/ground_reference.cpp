@@ -125,7 +125,8 @@ void GroundReference::collect(const BeamPoints& points, const CellRect& region)
     }
     const int32_t x = (points.cell[i] % edge + offset_x) / merged_;
     const int32_t y = (points.cell[i] / edge + offset_y) / merged_;
-    int32_t& slot = slots_[static_cast<size_t>(y * width + x)];
+    const int32_t at = y * width + x;
+    int32_t& slot = slots_[static_cast<size_t>(at)];
     const float z_m = static_cast<float>(points.z_mm[i]) / 1000;
     if (slot < 0)
     {

@@ -36,7 +36,7 @@ class Latencies
   }
 
   /** A share of a stage's times is below this, ms; 0 where it never ran. 0 < share <= 1. */
-  double percentile_ms(Stage stage, double share) const;
+  double percentileMs(Stage stage, double share) const;
 
   uint64_t count(Stage stage) const { return times_ms_[static_cast<size_t>(stage)].size(); }
 

@@ -32,8 +32,8 @@ class Terrain
   /** Opens the soft cells that hang together with this one, if it is soft. */
   void openSoft(const Costmap& costmap, geometry::CellIndex from);
 
-  /** Opens soft cells up to 2 cells beside strips: arcs cannot hold a line of single cells. */
-  void openBesideStrips(const Costmap& costmap);
+  /** Opens soft cells up to so many cells beside strips. */
+  void openBesideStrips(const Costmap& costmap, int32_t reach);
 
   /** Opens what leads out of the hard buffer, where the vehicle stands in one or, by noise, in an
    * obstacle: hard cells, and obstacle cells within `radius_m` of it, each no nearer to an obstacle
