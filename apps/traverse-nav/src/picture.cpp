@@ -15,7 +15,7 @@ using layers::Colour;
 using navigation::Costmap;
 using navigation::Passage;
 
-constexpr Colour kUnknown = {120, 124, 132};
+constexpr Colour kUnknown = {124, 124, 124};  // a grey that films have, too
 constexpr Colour kSoft = {252, 224, 178};
 constexpr Colour kHard = {240, 150, 70};
 constexpr Colour kObstacle = {20, 20, 24};

@@ -11,7 +11,7 @@ namespace traverse::app
 namespace
 {
 constexpr int kCell_px = 2;
-constexpr int kShown_cs = 12;  // a picture, hundredths of a second
+constexpr int kShownCs = 12;  // a picture, hundredths of a second
 }  // namespace
 
 Watcher::Watcher(const NavSettings& settings, bool quiet) :
@@ -33,7 +33,7 @@ void Watcher::see(const Pilot& pilot, const DriveRecord& record)
       pilot.costmap(), {driven_, &pilot.plan(), {}, &settings_.robot.vehicle}, kCell_px);
   if (!film_)
   {
-    film_.emplace(static_cast<int>(frame.width), static_cast<int>(frame.height), kShown_cs);
+    film_.emplace(static_cast<int>(frame.width), static_cast<int>(frame.height), kShownCs);
   }
   film_->add(frame);
 }
