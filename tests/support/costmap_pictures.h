@@ -14,11 +14,37 @@
 // (0, 0).
 namespace traverse::testing
 {
+inline navigation::Passage drawnPassage(char c)
+{
+  using navigation::Passage;
+  switch (c)
+  {
+    case ' ':
+      return Passage::unknown;
+    case 's':
+      return Passage::soft;
+    case 'H':
+      return Passage::hard;
+    case '#':
+      return Passage::obstacle;
+    default:
+      return Passage::open;
+  }
+}
+
+inline float drawnPrice(char c)
+{
+  if (c >= '1' && c <= '9')
+  {
+    return static_cast<float>(c - '0');
+  }
+  return c == ' ' ? 3.0F : c == 's' ? 5.0F : 1.0F;
+}
+
 /** '.' open, ' ' unknown at a price of 3, 's' soft at 5, 'H' hard, '#' obstacle; digits: open at
  * that price. */
 inline navigation::Costmap drawnCostmap(const std::vector<std::string>& picture, int32_t cell_mm)
 {
-  using navigation::Passage;
   navigation::Costmap map;
   map.lattice.cell_mm = cell_mm;
   map.extent = {
@@ -27,18 +53,8 @@ inline navigation::Costmap drawnCostmap(const std::vector<std::string>& picture,
   {
     for (const char c : *row)
     {
-      const bool is_price = c >= '1' && c <= '9';
-      map.passage.push_back(
-          c == ' '   ? Passage::unknown
-          : c == 's' ? Passage::soft
-          : c == 'H' ? Passage::hard
-          : c == '#' ? Passage::obstacle
-                     : Passage::open);
-      map.price.push_back(
-          is_price   ? static_cast<float>(c - '0')
-          : c == ' ' ? 3.0F
-          : c == 's' ? 5.0F
-                     : 1.0F);
+      map.passage.push_back(drawnPassage(c));
+      map.price.push_back(drawnPrice(c));
     }
   }
   map.speed_mps.assign(map.size(), std::numeric_limits<float>::infinity());

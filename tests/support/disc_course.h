@@ -36,12 +36,12 @@ inline std::vector<Disc> randomDiscs(
   for (int n = 0; n < most; ++n)
   {
     const Disc disc{{uniform(0, 16), uniform(-6, 6)}, uniform(0.2, 0.6)};
-    const auto isNear = [&](const Disc& other)
+    const auto is_near = [&](const Disc& other)
     { return (other.centre - disc.centre).norm() < other.radius_m + disc.radius_m + gap_m; };
-    const auto isOnWay = [&](const Eigen::Vector2d& place)
+    const auto is_on_way = [&](const Eigen::Vector2d& place)
     { return (place - disc.centre).norm() < disc.radius_m + gap_m / 2; };
-    if (std::none_of(discs.begin(), discs.end(), isNear) &&
-        std::none_of(places.begin(), places.end(), isOnWay))
+    if (std::none_of(discs.begin(), discs.end(), is_near) &&
+        std::none_of(places.begin(), places.end(), is_on_way))
     {
       discs.push_back(disc);
     }

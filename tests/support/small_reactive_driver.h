@@ -20,7 +20,7 @@ using reactive::Navigator;
 using reactive::Outcome;
 using reactive::Senses;
 
-inline constexpr poses::TimeNs start_ns = 1'700'000'000'000'000'000;
+inline constexpr poses::TimeNs kStartNs = 1'700'000'000'000'000'000;
 
 inline std::vector<std::string> namesIn(const std::filesystem::path& folder)
 {
@@ -44,7 +44,7 @@ class ReactiveDriver : public ::testing::Test
     params.reference_distance_m = 3;
     params.paths = 41;
     params.grid_resolution_m = 0.1;
-    senses.now = start_ns;
+    senses.now = kStartNs;
     senses.speed_limit_mps = 10;
     driver = std::make_unique<reactive::ReactiveDriver>(
         vehicle, drivetrain, params, scratch / "grids", log_folder);

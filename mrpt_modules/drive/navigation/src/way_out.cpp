@@ -85,21 +85,15 @@ void Terrain::openSoft(const Costmap& costmap, CellIndex from)
 
 void Terrain::openBesideStrips(const Costmap& costmap, int32_t reach)
 {
-  if (reach <= 0)
-  {
-    return;
-  }
+  const int32_t edge = 2 * reach + 1;
   for (const CellIndex& c : costmap.strip)
   {
-    for (int32_t y = c.y - reach; y <= c.y + reach; ++y)
+    for (int32_t i = 0; i < edge * edge; ++i)
     {
-      for (int32_t x = c.x - reach; x <= c.x + reach; ++x)
+      const CellIndex beside = {c.x - reach + i % edge, c.y - reach + i / edge};
+      if (costmap.passageAt(beside) == Passage::soft && !isOpen(indexOf(beside)))
       {
-        const CellIndex beside = {x, y};
-        if (costmap.passageAt(beside) == Passage::soft && !isOpen(indexOf(beside)))
-        {
-          open(indexOf(beside), costmap.price[costmap.indexOf(beside)]);
-        }
+        open(indexOf(beside), costmap.price[costmap.indexOf(beside)]);
       }
     }
   }

@@ -177,6 +177,20 @@ void BeamFans::addEmpty(const Empty& empty)
   }
 }
 
+namespace
+{
+/** Among those before `end`, which are sorted. Rows come so unless the sensor is tilted: then a few
+ * steps. */
+void insert(const FanBeam* first, FanBeam* end, FanBeam beam)
+{
+  for (; end != first && beam.slope < end[-1].slope; --end)
+  {
+    *end = end[-1];
+  }
+  *end = beam;
+}
+}  // namespace
+
 void BeamFans::sort()
 {
   counts_.assign(static_cast<size_t>(fans_), 0);
@@ -188,14 +202,8 @@ void BeamFans::sort()
     {
       for (uint64_t rows = has_beam_[fan][word]; rows != 0; rows &= rows - 1)
       {
-        const FanBeam beam = first[word * 64 + static_cast<size_t>(std::countr_zero(rows))];
-        // Rows come sorted unless the sensor is tilted: then a few steps.
-        FanBeam* to = end++;
-        for (; to != first && beam.slope < to[-1].slope; --to)
-        {
-          *to = to[-1];
-        }
-        *to = beam;
+        const size_t row = word * 64 + static_cast<size_t>(std::countr_zero(rows));
+        insert(first, end++, first[row]);
       }
     }
     counts_[fan] = static_cast<uint16_t>(end - first);

@@ -117,7 +117,7 @@ std::string families(
         "Type = {}\nresolution = {}\nrefDistance = {}\nnum_paths = {}\nv_max_mps = {}\n"
         "w_max_dps = {}\nscore_priority = {}\n{}",
         family.type, params.grid_resolution_m, params.reference_distance_m, params.paths,
-        drivetrain.max_speed_mps, fullTurn_degps(drivetrain), family.priority, family.keys);
+        drivetrain.max_speed_mps, fullTurnDegps(drivetrain), family.priority, family.keys);
     text += prefixed(fmt::format("PTG{}_", first + n), lines);
     ++n;
   }
@@ -158,7 +158,7 @@ std::string shapeLevels(const Vehicle& vehicle)
 }
 }  // namespace
 
-double fullTurn_degps(const Drivetrain& drivetrain)
+double fullTurnDegps(const Drivetrain& drivetrain)
 {
   const double radius_m = geometry::minTurningRadius_m(drivetrain);
   return drivetrain.steering == Steering::ackermann
@@ -178,7 +178,7 @@ std::string navigatorIni(
              "motion_decider_method = CMultiObjMotionOpt_Scalarization\nref_distance = {}\n"
              "enable_obstacle_filtering = false\n\n"
              "[CHolonomicND]\nfactorWeights = 1.00 0.50 2.00 0.40\n\n",
-             drivetrain.max_speed_mps, fullTurn_degps(drivetrain), params.reference_distance_m) +
+             drivetrain.max_speed_mps, fullTurnDegps(drivetrain), params.reference_distance_m) +
          optimizer() + (is_flat ? shapeFlat(vehicle) : shapeLevels(vehicle)) +
          familiesOf(drivetrain, is_flat ? 0 : 1, params);
 }

@@ -16,5 +16,5 @@ std::string navigatorIni(
     const ReactiveParams& params);
 
 /** Most that it turns while it drives at full speed, deg/s: what its families are made for. */
-double fullTurn_degps(const geometry::Drivetrain& drivetrain);
+double fullTurnDegps(const geometry::Drivetrain& drivetrain);
 }  // namespace traverse::reactive

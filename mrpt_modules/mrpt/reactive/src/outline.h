@@ -18,7 +18,7 @@ inline size_t countInside(
 {
   const auto& xs = vehicle.footprint_xs_m;
   const auto& ys = vehicle.footprint_ys_m;
-  const auto isInside = [&](const Eigen::Vector3f& p)
+  const auto lies_within = [&](const Eigen::Vector3f& p)
   {
     bool is_inside = false;
     for (size_t i = 0, j = xs.size() - 1; i < xs.size(); j = i++)
@@ -31,7 +31,7 @@ inline size_t countInside(
     }
     return is_inside;
   };
-  return static_cast<size_t>(std::count_if(points.begin(), points.end(), isInside));
+  return static_cast<size_t>(std::count_if(points.begin(), points.end(), lies_within));
 }
 
 /** Of the box that the outline lies in. */

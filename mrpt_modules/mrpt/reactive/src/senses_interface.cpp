@@ -21,7 +21,7 @@ constexpr double kClockStep_s = 0.1;
 // ...3D leaves out what is lower than 1 cm, and what is as high as its prisms together or higher;
 // the flat one what is below the ground.
 constexpr float kLowest_m = 0.02F;
-constexpr float kHighest_of_height = 0.98F;
+constexpr float kHighestOfHeight = 0.98F;
 
 mrpt::kinematics::CVehicleVelCmd::Ptr standing()
 {
@@ -72,7 +72,7 @@ bool SensesInterface::senseObstacles(
     return false;
   }
   obstacles.reserve(shown_->obstacles.size());
-  const float highest_m = std::max(kLowest_m, static_cast<float>(height_m_) * kHighest_of_height);
+  const float highest_m = std::max(kLowest_m, static_cast<float>(height_m_) * kHighestOfHeight);
   for (const Eigen::Vector3f& p : shown_->obstacles)
   {
     if (p.allFinite())
