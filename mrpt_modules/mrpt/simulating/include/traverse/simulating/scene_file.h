@@ -10,9 +10,9 @@
 namespace traverse::simulating
 {
 /** The sections [Scene], [Terrain_NN], [Object_NN], [Random] and [Mission] of a scene file, and the
- * corners of [Drive]; NN counts from 00 without gaps. Other sections are left alone. Throws ConfigError with
- * place, section and key for a section that only begins like one of these, a gap, an unknown key
- * or a value that is not allowed. */
+ * corners of [Drive]; NN counts from 00 without gaps. Other sections are left alone. Throws
+ * ConfigError with place, section and key for a section that only begins like one of these, a gap,
+ * an unknown key or a value that is not allowed. */
 simulation::SceneParams readScene(const config::IniDocument& ini);
 
 /** The scene as an ini text from which readScene() reads the same scene, its folder excepted. Keys
