@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <support/data.h>
+#include <support/experiment.h>
 #include <support/ground_score.h>
 
 namespace
@@ -75,15 +76,5 @@ int run(const std::vector<std::string>& args)
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    return run({argv + 1, argv + argc});
-  }
-  catch (const std::exception& e)
-  {
-    std::fputs("ground-labels: ", stderr);
-    std::fputs(e.what(), stderr);
-    std::fputs("\n", stderr);
-    return 4;
-  }
+  return traverse::testing::reported("ground-labels", [&] { return run({argv + 1, argv + argc}); });
 }

@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <support/experiment.h>
 #include <support/process.h>
 #include <support/seed_runs.h>
 #include <vector>
@@ -210,27 +211,18 @@ int runAll(const std::vector<std::string>& args)
   tell("", exact, figures);
   tell("icp_", icp, figures);
   figures["seeds"] = std::to_string(options.first) + "-" + std::to_string(options.last);
-  for (const auto& [key, value] : figures.items())
-  {
-    std::cout << key << " " << value.dump() << "\n";
-  }
-  std::cout << figures.dump() << "\n";
+  print(figures);
   return 0;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    own_program = std::filesystem::read_symlink("/proc/self/exe");
-    return runAll({argv + 1, argv + argc});
-  }
-  catch (const std::exception& e)
-  {
-    std::fputs("navigation: ", stderr);
-    std::fputs(e.what(), stderr);
-    std::fputs("\n", stderr);
-    return 4;
-  }
+  return traverse::testing::reported(
+      "navigation",
+      [&]
+      {
+        own_program = std::filesystem::read_symlink("/proc/self/exe");
+        return runAll({argv + 1, argv + argc});
+      });
 }

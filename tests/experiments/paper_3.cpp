@@ -13,6 +13,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <support/experiment.h>
 #include <support/seed_runs.h>
 #include <support/simulated_drive.h>
 
@@ -184,15 +185,5 @@ int runAll(const std::vector<std::string>& args)
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    return runAll({argv + 1, argv + argc});
-  }
-  catch (const std::exception& e)
-  {
-    std::fputs("paper-3: ", stderr);
-    std::fputs(e.what(), stderr);
-    std::fputs("\n", stderr);
-    return 4;
-  }
+  return traverse::testing::reported("paper-3", [&] { return runAll({argv + 1, argv + argc}); });
 }

@@ -11,6 +11,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <support/corridors.h>
+#include <support/experiment.h>
 #include <support/paper_5_maps.h>
 #include <support/paper_5_truth.h>
 #include <support/seed_runs.h>
@@ -269,26 +270,12 @@ int runAll(const std::vector<std::string>& args)
   tellStrips("paper_", runs, figures);
   tellBlindArea(runs, figures);
   figures["seeds"] = std::to_string(options.first) + "-" + std::to_string(options.last);
-  for (const auto& [key, value] : figures.items())
-  {
-    std::cout << key << " " << value.dump() << "\n";
-  }
-  std::cout << figures.dump() << "\n";
+  print(figures);
   return 0;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    return runAll({argv + 1, argv + argc});
-  }
-  catch (const std::exception& e)
-  {
-    std::fputs("paper-5: ", stderr);
-    std::fputs(e.what(), stderr);
-    std::fputs("\n", stderr);
-    return 4;
-  }
+  return traverse::testing::reported("paper-5", [&] { return runAll({argv + 1, argv + argc}); });
 }

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <support/data.h>
+#include <support/experiment.h>
 #include <support/ins_recordings.h>
 #include <support/labelled_clouds.h>
 #include <support/path_errors.h>
@@ -258,18 +259,13 @@ void run(nlohmann::ordered_json& figures)
 
 int main()
 {
-  try
-  {
-    nlohmann::ordered_json figures;
-    run(figures);
-    std::cout << figures.dump() << "\n";
-    return 0;
-  }
-  catch (const std::exception& e)
-  {
-    std::fputs("poses: ", stderr);
-    std::fputs(e.what(), stderr);
-    std::fputs("\n", stderr);
-    return 4;
-  }
+  return traverse::testing::reported(
+      "poses",
+      []
+      {
+        nlohmann::ordered_json figures;
+        run(figures);
+        std::cout << figures.dump() << "\n";
+        return 0;
+      });
 }

@@ -85,14 +85,6 @@ TEST(Footprints, BallOnTheGroundHasItsCircle)
   EXPECT_NEAR(areaOf(all[0].outlines[0]), 3.14159265 * 0.25 * 0.99359, 1e-4);
 }
 
-TEST(Footprints, HullOfNothingIsEmpty)
-{
-  EXPECT_TRUE(convexHull({}).empty());
-  EXPECT_TRUE(convexHull({{1, 1}, {1, 1}}).empty());
-  EXPECT_TRUE(convexHull({{0, 0}, {1, 1}, {2, 2}}).empty());
-  EXPECT_EQ(convexHull({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0.5, 0}}).size(), 4U);
-}
-
 TEST(SweptCells, MarksTheWayOfWhatMoves)
 {
   Scene scene = levelScene();

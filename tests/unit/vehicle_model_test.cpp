@@ -18,7 +18,7 @@ using geometry::Drivetrain;
 using geometry::Steering;
 using geometry::Twist2;
 
-constexpr double kGravity_mps2 = 9.81;
+constexpr double kGravity = 9.81;
 constexpr double kDegree = M_PI / 180;
 
 /** A plane of one material. */
@@ -134,7 +134,7 @@ TEST(VehicleModel, StopsOnIceWithinTheWayThatFrictionAllows)
   drivetrain.max_speed_mps = 4;
   drivetrain.max_accel_mps2 = 0.5;  // less than ice gives
   VehicleModel model = modelOn(Material::ice, drivetrain);
-  const double way = 4.0 * 4.0 / (2 * frictionOf(Material::ice) * kGravity_mps2);
+  const double way = 4.0 * 4.0 / (2 * frictionOf(Material::ice) * kGravity);
   EXPECT_NEAR(stoppingWay(model, 4), way, 1e-4);  // the last step of 10 ms is not whole
 }
 
@@ -147,7 +147,7 @@ TEST(VehicleModel, WheelsSpinOnIceWhereTheCommandAsksTooMuch)
   model.step({2, 0}, 1);
   EXPECT_TRUE(model.state().slips);
   EXPECT_DOUBLE_EQ(model.state().wheels.speed_mps, 2);
-  EXPECT_NEAR(model.state().twist.speed_mps, frictionOf(Material::ice) * kGravity_mps2, 1e-9);
+  EXPECT_NEAR(model.state().twist.speed_mps, frictionOf(Material::ice) * kGravity, 1e-9);
 }
 
 TEST(VehicleModel, SlidesOutOfACurveThatIsTooFast)
@@ -165,7 +165,7 @@ TEST(VehicleModel, SlidesOutOfACurveThatIsTooFast)
   EXPECT_LT(model.state().aside_mps, -0.05);  // to the outer side of a left curve
   const double aside_m = model.state().pose.y_m - from.y_m;
   // friction alone could move it by mu g t^2 / 2 at most
-  EXPECT_LE(aside_m, frictionOf(Material::ice) * kGravity_mps2 / 2 + 1e-9);
+  EXPECT_LE(aside_m, frictionOf(Material::ice) * kGravity / 2 + 1e-9);
 }
 
 TEST(VehicleModel, SteersAsFastAsItsSteeringGoes)
@@ -209,7 +209,7 @@ TEST(VehicleModel, StandsOnASlopeAndSlidesDownAnIcyOne)
         std::make_shared<Floor>(material, slope), geometry::Vehicle(), Drivetrain(), {});
     model.step({0, 0}, 1);
     // g (sin - mu cos), half of that in a second, less by cos as seen from above
-    const double accel = kGravity_mps2 * (std::sin(12 * kDegree) - 0.1 * std::cos(12 * kDegree));
+    const double accel = kGravity * (std::sin(12 * kDegree) - 0.1 * std::cos(12 * kDegree));
     const double way = material == Material::ice ? accel / 2 * std::cos(12 * kDegree) : 0;
     EXPECT_NEAR(model.state().pose.x_m, -way, 1e-6) << nameOf(material);
     EXPECT_EQ(model.state().slips, material == Material::ice);

@@ -83,7 +83,8 @@ void addMaps(const config::IniDocument& ini, const WantedMap& wanted, std::vecto
 
 geometry::Lattice latticeOf(const BuiltMap& map)
 {
-  return map.consumer->layerSet(geometry::CellRect{{0, 0}, {1, 1}}).lattice;
+  return map.consumer->layerSet(geometry::CellRect{{0, 0}, {1, 1}}, {std::vector<std::string>{}})
+      .lattice;
 }
 
 std::vector<BuiltMap> buildMaps(

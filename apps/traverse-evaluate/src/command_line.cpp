@@ -4,10 +4,6 @@
 
 #include <traverse/common_app/parse.h>
 
-#ifndef TRAVERSE_VERSION
-#define TRAVERSE_VERSION "unknown"
-#endif
-
 namespace traverse::app
 {
 namespace

@@ -4,6 +4,7 @@
 #include "known_formats.h"
 #include "summary.h"
 
+#include <traverse/common_app/failures.h>
 #include <traverse/common_app/interrupt.h>
 #include <traverse/common_app/progress.h>
 #include <traverse/formats/bytes.h>
@@ -115,43 +116,38 @@ bool isItsOwnInput(const ImportCommand& command)
   std::error_code failed;
   return std::filesystem::equivalent(command.params.input, command.output, failed);
 }
+
+ExitCode runCommand(const ImportCommand& command)
+{
+  if (isItsOwnInput(command))
+  {
+    tell("error", "--output is the input itself");
+    return ExitCode::usage;
+  }
+  return importIt(command);
+}
 }  // namespace
 
 ExitCode runImportApp(int argc, const char* const* argv)
 {
-  try
-  {
-    const Parsed<ImportCommand> parsed = parseImportCommand(argc, argv);
-    if (!parsed.command)
-    {
-      return parsed.exit_code;
-    }
-    if (isItsOwnInput(*parsed.command))
-    {
-      tell("error", "--output is the input itself");
-      return ExitCode::usage;
-    }
-    return importIt(*parsed.command);
-  }
-  catch (const ImportError& e)
-  {
-    tell("input", e.what());
-    return ExitCode::unreadable;
-  }
-  catch (const formats::FormatError& e)
-  {
-    tell("input", e.what());
-    return ExitCode::unreadable;
-  }
-  catch (const formats::FileError& e)
-  {
-    tell("file", e.what());
-    return ExitCode::internal;
-  }
-  catch (const std::exception& e)
-  {
-    tell("internal error", e.what());
-    return ExitCode::internal;
-  }
+  return reported(
+      tell,
+      [&]
+      {
+        try
+        {
+          const Parsed<ImportCommand> parsed = parseImportCommand(argc, argv);
+          return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
+        }
+        catch (const ImportError& e)
+        {
+          tell("input", e.what());
+        }
+        catch (const formats::FormatError& e)
+        {
+          tell("input", e.what());
+        }
+        return ExitCode::unreadable;
+      });
 }
 }  // namespace traverse::app

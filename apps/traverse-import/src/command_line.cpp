@@ -12,10 +12,6 @@
 #include <fmt/format.h>
 #include <numbers>
 
-#ifndef TRAVERSE_VERSION
-#define TRAVERSE_VERSION "unknown"
-#endif
-
 namespace traverse::app
 {
 namespace

@@ -6,10 +6,6 @@
 
 #include <CLI/CLI.hpp>
 
-#ifndef TRAVERSE_VERSION
-#define TRAVERSE_VERSION "unknown"
-#endif
-
 namespace traverse::app
 {
 namespace

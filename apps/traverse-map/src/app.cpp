@@ -12,6 +12,7 @@
 #include "track.h"
 #include "verdict.h"
 
+#include <traverse/common_app/failures.h>
 #include <traverse/common_app/interrupt.h>
 #include <traverse/common_app/map_set.h>
 #include <traverse/common_app/why.h>
@@ -177,34 +178,25 @@ ExitCode runMapApp(int argc, const char* const* argv)
   {
     return parsed.exit_code;
   }
-  try
-  {
-    return runCommand(*parsed.command);
-  }
-  catch (const config::ConfigError& e)
-  {
-    tell("configuration", {e.what()});
-    return ExitCode::configuration;
-  }
-  catch (const logs::LogError& e)
-  {
-    tell("input", {e.what()});
-    return ExitCode::unreadable;
-  }
-  catch (const formats::FormatError& e)
-  {
-    tell("input", {e.what()});
-    return ExitCode::unreadable;
-  }
-  catch (const formats::FileError& e)
-  {
-    tell("file", {e.what()});
-    return ExitCode::internal;
-  }
-  catch (const std::exception& e)
-  {
-    tell("internal error", {e.what()});
-    return ExitCode::internal;
-  }
+  const auto tell_one = [](const std::string& kind, const std::string& message)
+  { tell(kind, {message}); };
+  return reported(
+      tell_one,
+      [&]
+      {
+        try
+        {
+          return runCommand(*parsed.command);
+        }
+        catch (const logs::LogError& e)
+        {
+          tell("input", {e.what()});
+        }
+        catch (const formats::FormatError& e)
+        {
+          tell("input", {e.what()});
+        }
+        return ExitCode::unreadable;
+      });
 }
 }  // namespace traverse::app

@@ -7,10 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
-#ifndef TRAVERSE_VERSION
-#define TRAVERSE_VERSION "unknown"
-#endif
-
 namespace traverse::app
 {
 namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings.h"
 
+#include <traverse/common_app/vehicle_check.h>
 #include <traverse/config/strict.h>
 
 #include <algorithm>
@@ -40,12 +41,7 @@ std::string fromIniFolder(
 /** What no single key can say. */
 void checkTogether(const Settings& settings)
 {
-  const geometry::Vehicle& v = settings.vehicle;
-  if (v.footprint_xs_m.size() != v.footprint_ys_m.size() || v.footprint_xs_m.size() < 3)
-  {
-    throw ConfigError(
-        "[Vehicle] footprint_xs_m and footprint_ys_m need as many corners, at least 3");
-  }
+  checkVehicle(settings.vehicle);
   if (settings.poses.source == poses::PoseSource::file && settings.poses.file.empty())
   {
     throw ConfigError("[Poses] source = file needs file = a trajectory");
@@ -88,11 +84,7 @@ void checkLabelFolder(const Settings& settings)
 Settings loadSettings(const Command& command)
 {
   Settings settings;
-  settings.ini = config::IniDocument::fromFile(command.config);
-  for (const std::string& assignment : command.assignments)
-  {
-    settings.ini.set(assignment);
-  }
+  settings.ini = config::IniDocument::fromFile(command.config, command.assignments);
   config::load(settings.ini, "traverse-map", settings.run);
   config::load(settings.ini, "Vehicle", settings.vehicle);
   config::load(settings.ini, "Poses", settings.poses);

@@ -5,6 +5,7 @@
 #include "outputs.h"
 #include "watcher.h"
 
+#include <traverse/common_app/failures.h>
 #include <traverse/common_app/interrupt.h>
 #include <traverse/formats/safe_file.h>
 #include <traverse/nav_app/app.h>
@@ -55,7 +56,7 @@ ExitCode navigate(const NavCommand& command, const NavSettings& settings)
   Watcher watcher(settings, command.quiet);
   DriveOptions options;
   options.stop = &Interrupt::flag();
-  options.watch = [&](const Pilot& at, const DriveRecord& record) { watcher.see(at, record); };
+  options.watch = [&](const Pilot& at, const DriveResult& so_far) { watcher.see(at, so_far); };
   const DriveResult result = drive(settings, mission, command.seed, pilot, options);
   watcher.finish(folder);
   const Json metrics =
@@ -79,7 +80,7 @@ ExitCode runCommand(const NavCommand& command)
     std::cout << navDefaultsText();
     return ExitCode::done;
   }
-  const NavSettings settings = readNavSettings(command.config, command.assignments);
+  const NavSettings settings = readNavSettings(command.ini, command.assignments);
   for (const std::string& warning : settings.warnings)
   {
     tell("warning", warning);
@@ -95,25 +96,12 @@ ExitCode runCommand(const NavCommand& command)
 
 ExitCode runNavApp(int argc, const char* const* argv)
 {
-  try
-  {
-    const Parsed<NavCommand> parsed = parseNavCommand(argc, argv);
-    return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
-  }
-  catch (const config::ConfigError& e)
-  {
-    tell("configuration", e.what());
-    return ExitCode::configuration;
-  }
-  catch (const formats::FileError& e)
-  {
-    tell("file", e.what());
-    return ExitCode::internal;
-  }
-  catch (const std::exception& e)
-  {
-    tell("internal error", e.what());
-    return ExitCode::internal;
-  }
+  return reported(
+      tell,
+      [&]
+      {
+        const Parsed<NavCommand> parsed = parseNavCommand(argc, argv);
+        return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
+      });
 }
 }  // namespace traverse::app

@@ -51,10 +51,7 @@ class Referee
     slips_ = now.vehicle.slips;
     if (!result_.records.empty())
     {
-      const geometry::Pose2& last = result_.records.back().vehicle.pose;
-      const double dx = now.vehicle.pose.x_m - last.x_m;
-      const double dy = now.vehicle.pose.y_m - last.y_m;
-      result_.way_m += std::sqrt(dx * dx + dy * dy);
+      result_.way_m += geometry::distance_m(result_.records.back().vehicle.pose, now.vehicle.pose);
     }
   }
 
@@ -122,7 +119,7 @@ DriveResult drive(
     result.records.push_back(record);
     if (options.watch)
     {
-      options.watch(pilot, record);
+      options.watch(pilot, result);
     }
     if (step.conduct == Conduct::arrived)
     {

@@ -3,22 +3,18 @@
 #include "defaults.h"
 
 #include <traverse/nav_app/settings.h>
+#include <traverse/options/ini_text.h>
 
-#include <fmt/format.h>
+#include <string_view>
 
 namespace traverse::app
 {
 namespace
 {
 template <class P>
-std::string section(const std::string& meaning, const std::string& name, const P& params)
+std::string section(std::string_view meaning, std::string_view name, const P& params)
 {
-  std::string text = fmt::format("\n// {}\n[{}]\n", meaning, name);
-  for (const options::Row& row : options::rows(params))
-  {
-    text += fmt::format("// {} ({})\n{} = {}\n", row.meaning, row.allowed, row.key, row.value);
-  }
-  return text;
+  return options::commentedSection(meaning, name, options::rows(params));
 }
 }  // namespace
 

@@ -4,7 +4,6 @@
 #include <traverse/nav_app/closed_loop.h>
 #include <traverse/simulating/scene_file.h>
 #include <traverse/simulation/build.h>
-#include <traverse/simulation/ray_caster.h>
 
 #include <fmt/format.h>
 
@@ -49,10 +48,7 @@ Mission readMission(const NavSettings& settings, uint64_t seed)
     Mission mission{
         simulation::buildScene(scene), simulation::startOf(scene.mission),
         goalsOf(settings, scene)};
-    if (simulation::groundVertices(mission.scene) > simulation::kMostGroundVertices)
-    {
-      throw ConfigError("[Scene]: the ground is too large", "Scene");
-    }
+    simulating::checkGround(mission.scene);
     return mission;
   }
   catch (const ConfigError&)

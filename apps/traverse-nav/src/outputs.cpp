@@ -5,8 +5,8 @@
 #include "report_page.h"
 
 #include <traverse/formats/trajectory.h>
-#include <traverse/geometry/exact_trig.h>
 #include <traverse/nav_app/picture.h>
+#include <traverse/poses/level_pose.h>
 #include <traverse/simulation/lidar.h>
 
 #include <cmath>
@@ -47,11 +47,9 @@ std::string trajectory(const DriveResult& result)
   std::vector<poses::StampedPose> poses;
   for (const DriveRecord& record : result.records)
   {
-    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-    const geometry::Pose2& pose = record.vehicle.pose;
-    T.translation() = Eigen::Vector3d(pose.x_m, pose.y_m, 0);
-    T.linear() = poses::rotationBy(pose.yaw_rad, Eigen::Vector3d::UnitZ());
-    poses.push_back({poses::later(simulation::kRecordingStart, record.t_s), T});
+    poses.push_back(
+        {poses::later(simulation::kRecordingStart, record.t_s),
+         poses::levelPose(record.vehicle.pose)});
   }
   return formats::tumTrajectory(poses);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <traverse/geometry/exact_trig.h>
+#include <traverse/geometry/frame2.h>
 #include <traverse/nav_app/picture.h>
 
 #include <algorithm>
@@ -103,19 +103,11 @@ class Pen
 
 void drawVehicle(Pen& pen, const geometry::Vehicle& vehicle, const geometry::Pose2& pose)
 {
-  const geometry::SinCos turn = geometry::sinCosOfAny(pose.yaw_rad);
-  const size_t corners = vehicle.footprint_xs_m.size();
-  const auto corner = [&](size_t i)
+  const geometry::Outline corners = geometry::Frame2::of(pose).out(geometry::footprintOf(vehicle));
+  for (size_t i = 0; i < corners.size(); ++i)
   {
-    const double x = vehicle.footprint_xs_m[i % corners];
-    const double y = vehicle.footprint_ys_m[i % corners];
-    return Eigen::Vector2d(
-        pose.x_m + turn.cos * x - turn.sin * y, pose.y_m + turn.sin * x + turn.cos * y);
-  };
-  for (size_t i = 0; i < corners; ++i)
-  {
-    const Eigen::Vector2d a = corner(i);
-    const Eigen::Vector2d b = corner(i + 1);
+    const Eigen::Vector2d& a = corners[i];
+    const Eigen::Vector2d& b = corners[(i + 1) % corners.size()];
     pen.line(a.x(), a.y(), b.x(), b.y(), kVehicle);
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/geometry/exact_trig.h>
 #include <traverse/nav_app/pilot.h>
+#include <traverse/navigation/cost_rules.h>
 #include <traverse/navigation/obstacle_points.h>
 
 #include <algorithm>
@@ -19,11 +20,9 @@ using poses::secondsBetween;
 constexpr double kPlanAgain_s = 0.5;  // where there was no way
 constexpr double kBackOff_mps = 0.2;
 
-double distance(const geometry::Pose2& pose, double x_m, double y_m)
+geometry::Pose2 placeOf(const navigation::Goal& goal)
 {
-  const double dx = x_m - pose.x_m;
-  const double dy = y_m - pose.y_m;
-  return std::sqrt(dx * dx + dy * dy);
+  return {goal.x_m, goal.y_m, 0};
 }
 
 /** The window of the costmap around the vehicle, in whole cells. */
@@ -125,9 +124,10 @@ std::vector<layers::LayerSet> Pilot::layerSets(
     const geometry::CellRect& extent, const geometry::Lattice& lattice) const
 {
   std::vector<layers::LayerSet> sets;
+  const layers::LayerChoice wanted = navigation::costLayers();
   for (const BuiltMap& map : maps_)
   {
-    sets.push_back(map.consumer->layerSet(windowOf(extent, lattice, latticeOf(map))));
+    sets.push_back(map.consumer->layerSet(windowOf(extent, lattice, latticeOf(map)), wanted));
   }
   return sets;
 }
@@ -204,7 +204,7 @@ navigation::Plan Pilot::planToGoal(const geometry::Pose2& pose)
     return planner_.plan(costmap_, pose, *goal_);
   }
   const auto near = openNear(costmap_, *goal_);
-  if (!near || distance(pose, near->x_m, near->y_m) < settings_.plan.goal_tolerance_m)
+  if (!near || geometry::distance_m(pose, placeOf(*near)) < settings_.plan.goal_tolerance_m)
   {
     navigation::Plan none;
     none.why_not = "the goal lies in an obstacle or its hard buffer";
@@ -271,11 +271,10 @@ PilotStep Pilot::decide(
                          command.outcome == reactive::Outcome::arrived;
   situation.wants_motion = command.twist.speed_mps != 0 || command.twist.yaw_rate_radps != 0;
   situation.is_goal_blocked = plan_.path.empty() && isGoalBlocked();
-  situation.to_goal_m = goal_ ? distance(pose, goal_->x_m, goal_->y_m) : 1e9;
+  situation.to_goal_m = goal_ ? geometry::distance_m(pose, placeOf(*goal_)) : 1e9;
   PilotStep result;
   result.conduct = supervisor_.step(situation);
-  result.cause =
-      supervisor_.log().empty() ? navigation::Cause::none : supervisor_.log().back().cause;
+  result.cause = supervisor_.log().back().cause;  // a step leaves a decision
   result.speed_limit_mps = limit.speed_mps;
   result.limited_by = limit.reason;
   if (result.conduct == Conduct::drive)

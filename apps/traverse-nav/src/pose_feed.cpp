@@ -3,6 +3,7 @@
 #include "pose_feed.h"
 
 #include <traverse/geometry/exact_trig.h>
+#include <traverse/poses/level_pose.h>
 
 #include <cmath>
 
@@ -12,10 +13,13 @@ namespace
 {
 constexpr double kKept_s = 1.5;
 
-/** Heading of a frame's x axis seen from above. */
-double yawOf(const Eigen::Isometry3d& T)
+/** Where wheels that turn so come to, along an arc. */
+geometry::Pose2 rolled(const geometry::Pose2& from, const geometry::Twist2& wheels, double dt_s)
 {
-  return geometry::angleOf(T.linear()(1, 0), T.linear()(0, 0));
+  const double way_m = wheels.speed_mps * dt_s;
+  const double turn_rad = wheels.yaw_rate_radps * dt_s;
+  const geometry::SinCos chord = geometry::sinCosOfAny(from.yaw_rad + turn_rad / 2);
+  return {from.x_m + way_m * chord.cos, from.y_m + way_m * chord.sin, from.yaw_rad + turn_rad};
 }
 
 registration::Params matcherParams()
@@ -32,8 +36,7 @@ PoseFeed::PoseFeed(
     const poses::StampedPose& start,
     uint64_t seed) :
     source_(source),
-    odometry_(odometry),
-    random_(seed),
+    odometry_(odometry, seed),
     T_map_start_(start.T_map_base),
     matcher_(matcherParams()),
     measured_(start.time)
@@ -60,18 +63,10 @@ void PoseFeed::move(const poses::StampedPose& truth, const geometry::Twist2& whe
   }
   const poses::StampedPose& last = moved_.back();
   const double dt_s = poses::secondsBetween(last.time, truth.time);
-  const double way_m = wheels.speed_mps * dt_s;
-  const double noise = std::sqrt(std::abs(way_m));
-  const double turn_deg = odometry_.yaw_drift_degpm * std::abs(way_m) +
-                          odometry_.noise_degpm * noise * random_.normal();
-  const double turn_rad = wheels.yaw_rate_radps * dt_s + turn_deg * geometry::kPi / 180;
-  const double seen_m =
-      way_m * (1 + odometry_.scale_error) + odometry_.noise_share * noise * random_.normal();
-  Eigen::Isometry3d step = Eigen::Isometry3d::Identity();
-  step.linear() = poses::rotationBy(turn_rad, Eigen::Vector3d::UnitZ());
-  const geometry::SinCos half = geometry::sinCosOfAny(turn_rad / 2);
-  step.translation() = Eigen::Vector3d(seen_m * half.cos, seen_m * half.sin, 0);
-  moved_.push_back({truth.time, last.T_map_base * step});
+  const geometry::Pose2 before = rolled_;
+  rolled_ = rolled(before, wheels, dt_s);
+  odometry_.step(before, rolled_);
+  moved_.push_back({truth.time, poses::levelPose(odometry_.at())});
   dropOld();
 }
 
@@ -113,7 +108,6 @@ poses::PoseTrack PoseFeed::track() const
 
 geometry::Pose2 PoseFeed::pose() const
 {
-  const Eigen::Isometry3d T_map_base = T_map_odom_ * moved_.back().T_map_base;
-  return {T_map_base.translation().x(), T_map_base.translation().y(), yawOf(T_map_base)};
+  return poses::seenFromAbove(T_map_odom_ * moved_.back().T_map_base);
 }
 }  // namespace traverse::app

@@ -7,7 +7,6 @@
 #include <traverse/poses/pose_track.h>
 #include <traverse/registration/scan_to_map.h>
 #include <traverse/simulation/pose_sensors.h>
-#include <traverse/simulation/random.h>
 #include <traverse/simulation/vehicle_model.h>
 
 #include <cstdint>
@@ -45,8 +44,8 @@ class PoseFeed
   void dropOld();
 
   NavPoses source_;
-  simulation::OdometryParams odometry_;
-  simulation::Random random_;
+  simulation::DeadReckoning odometry_;
+  geometry::Pose2 rolled_;  // as the wheels went, without odometry's errors
   Eigen::Isometry3d T_map_start_;
   Eigen::Isometry3d T_map_odom_ = Eigen::Isometry3d::Identity();
   std::vector<poses::StampedPose> moved_;  // T_odom_base, the last second's

@@ -10,10 +10,6 @@
 #include <fmt/format.h>
 #include <map>
 
-#ifndef TRAVERSE_VERSION
-#define TRAVERSE_VERSION "unknown"
-#endif
-
 namespace traverse::app
 {
 namespace

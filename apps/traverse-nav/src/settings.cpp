@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/common_app/vehicle_check.h>
 #include <traverse/config/strict.h>
 #include <traverse/nav_app/settings.h>
 #include <traverse/simulating/recording_file.h>
-
-#include <fmt/format.h>
+#include <traverse/simulation/scene_params.h>
 
 namespace traverse::app
 {
@@ -20,7 +20,7 @@ std::vector<std::string> ownSections(const NavSettings& settings)
                                   "Watchdogs",    "Reactive", "Maps"};
   for (size_t i = 0; i < settings.robot.lidars.size(); ++i)
   {
-    own.push_back(fmt::format("Lidar_{:02}", i));
+    own.push_back(simulation::numberedSection("Lidar_", i));
   }
   return own;
 }
@@ -28,12 +28,7 @@ std::vector<std::string> ownSections(const NavSettings& settings)
 /** What no single key can say. */
 void checkTogether(const NavSettings& settings)
 {
-  const geometry::Vehicle& v = settings.robot.vehicle;
-  if (v.footprint_xs_m.size() != v.footprint_ys_m.size() || v.footprint_xs_m.size() < 3)
-  {
-    throw ConfigError(
-        "[Vehicle] footprint_xs_m and footprint_ys_m need as many corners, at least 3");
-  }
+  checkVehicle(settings.robot.vehicle);
   if (settings.run.goal_xs_m.size() != settings.run.goal_ys_m.size())
   {
     throw ConfigError("[traverse-nav] goal_xs_m and goal_ys_m need as many numbers");
@@ -49,11 +44,7 @@ NavSettings readNavSettings(
     const std::filesystem::path& file, const std::vector<std::string>& assignments)
 {
   NavSettings settings;
-  settings.ini = config::IniDocument::fromFile(file);
-  for (const std::string& assignment : assignments)
-  {
-    settings.ini.set(assignment);
-  }
+  settings.ini = config::IniDocument::fromFile(file, assignments);
   config::load(settings.ini, "traverse-nav", settings.run);
   config::load(settings.ini, "Drivetrain", settings.drivetrain);
   config::load(settings.ini, "Costmap", settings.costs);

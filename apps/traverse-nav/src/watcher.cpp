@@ -19,10 +19,11 @@ Watcher::Watcher(const NavSettings& settings, bool quiet) :
 {
 }
 
-void Watcher::see(const Pilot& pilot, const DriveRecord& record)
+void Watcher::see(const Pilot& pilot, const DriveResult& so_far)
 {
-  driven_.push_back(record);
-  progress_.show(std::min(1.0, record.t_s / settings_.run.max_time_s), driven_.size());
+  const DriveRecord& record = so_far.records.back();
+  steps_ = so_far.records.size();
+  progress_.show(std::min(1.0, record.t_s / settings_.run.max_time_s), steps_);
   const double every_s = settings_.run.frames_every_s;
   if (every_s <= 0 || record.t_s < next_frame_s_ || pilot.costmap().size() == 0)
   {
@@ -30,7 +31,7 @@ void Watcher::see(const Pilot& pilot, const DriveRecord& record)
   }
   next_frame_s_ = record.t_s + every_s;
   const formats::Raster frame = costPicture(
-      pilot.costmap(), {driven_, &pilot.plan(), {}, &settings_.robot.vehicle}, kCell_px);
+      pilot.costmap(), {so_far.records, &pilot.plan(), {}, &settings_.robot.vehicle}, kCell_px);
   if (!film_)
   {
     film_.emplace(static_cast<int>(frame.width), static_cast<int>(frame.height), kShownCs);
@@ -40,7 +41,7 @@ void Watcher::see(const Pilot& pilot, const DriveRecord& record)
 
 void Watcher::finish(formats::OutputFolder& folder)
 {
-  progress_.finish(driven_.size());
+  progress_.finish(steps_);
   if (film_)
   {
     folder.write("drive.gif", film_->take());

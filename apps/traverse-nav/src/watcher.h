@@ -7,8 +7,8 @@
 #include <traverse/formats/output_folder.h>
 #include <traverse/nav_app/closed_loop.h>
 
+#include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace traverse::app
 {
@@ -18,7 +18,7 @@ class Watcher
  public:
   Watcher(const NavSettings& settings, bool quiet);
 
-  void see(const Pilot& pilot, const DriveRecord& record);
+  void see(const Pilot& pilot, const DriveResult& so_far);
 
   /** Writes drive.gif where there are pictures. Throws formats::FileError. */
   void finish(formats::OutputFolder& folder);
@@ -26,7 +26,7 @@ class Watcher
  private:
   const NavSettings& settings_;
   Progress progress_;
-  std::vector<DriveRecord> driven_;
+  uint64_t steps_ = 0;
   std::optional<formats::AnimatedGif> film_;
   double next_frame_s_ = 0;
 };

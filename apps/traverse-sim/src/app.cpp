@@ -6,6 +6,7 @@
 #include "part_store.h"
 #include "settings.h"
 
+#include <traverse/common_app/failures.h>
 #include <traverse/common_app/interrupt.h>
 #include <traverse/common_app/progress.h>
 #include <traverse/config/ini_document.h>
@@ -17,10 +18,6 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <thread>
-
-#ifndef TRAVERSE_VERSION
-#define TRAVERSE_VERSION "unknown"
-#endif
 
 namespace traverse::app
 {
@@ -138,25 +135,12 @@ ExitCode runCommand(const SimCommand& command)
 
 ExitCode runSimApp(int argc, const char* const* argv)
 {
-  try
-  {
-    const Parsed<SimCommand> parsed = parseSimCommand(argc, argv);
-    return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
-  }
-  catch (const config::ConfigError& e)
-  {
-    tell("configuration", e.what());
-    return ExitCode::configuration;
-  }
-  catch (const formats::FileError& e)
-  {
-    tell("file", e.what());
-    return ExitCode::internal;
-  }
-  catch (const std::exception& e)
-  {
-    tell("internal error", e.what());
-    return ExitCode::internal;
-  }
+  return reported(
+      tell,
+      [&]
+      {
+        const Parsed<SimCommand> parsed = parseSimCommand(argc, argv);
+        return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
+      });
 }
 }  // namespace traverse::app

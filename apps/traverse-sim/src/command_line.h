@@ -3,26 +3,14 @@
 #pragma once
 
 #include <traverse/common_app/parsed.h>
-
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <vector>
+#include <traverse/common_app/run_options.h>
 
 namespace traverse::app
 {
 /** What the command line of traverse-sim says. */
-struct SimCommand
+struct SimCommand : RunOptions
 {
-  std::filesystem::path scene;
-  std::filesystem::path output;
-  uint64_t seed = 1;
   int threads = 0;  //!< 0: as many as there are processors
-  std::vector<std::string> assignments;
-  bool check_config = false;
-  bool print_defaults = false;
-  bool force = false;
-  bool quiet = false;
 };
 
 Parsed<SimCommand> parseSimCommand(int argc, const char* const* argv);

@@ -107,21 +107,6 @@ void checkObjects(const simulation::Scene& scene)
   }
 }
 
-/** What memory does not hold. */
-void checkGround(const simulation::Scene& scene)
-{
-  const uint64_t vertices = simulation::groundVertices(scene);
-  if (vertices > simulation::kMostGroundVertices)
-  {
-    throw config::ConfigError(
-        fmt::format(
-            "[Scene]: the ground has {} vertices (every 5 cm where it is sharp, every 25 cm "
-            "elsewhere); allowed: {}, so a smaller area",
-            vertices, simulation::kMostGroundVertices),
-        "Scene");
-  }
-}
-
 simulation::Motion checkedDrive(const SimSettings& settings)
 {
   return asConfiguration(
@@ -156,11 +141,7 @@ void checkTruth(const SimSettings& settings, const simulation::Motion& drive)
 
 SimSettings readSettings(const SimCommand& command)
 {
-  auto ini = config::IniDocument::fromFile(command.scene);
-  for (const std::string& assignment : command.assignments)
-  {
-    ini.set(assignment);
-  }
+  const auto ini = config::IniDocument::fromFile(command.ini, command.assignments);
   checkSections(ini);
   SimSettings settings;
   settings.recording = simulating::readRecording(ini);
@@ -174,7 +155,7 @@ SimSettings readSettings(const SimCommand& command)
   settings.scene = asConfiguration([&] { return simulation::buildScene(scene); });
   settings.files = asConfiguration([&] { return filesOf(scene); });
   checkObjects(settings.scene);
-  checkGround(settings.scene);
+  simulating::checkGround(settings.scene);
   scene.drive_xs_m.clear();  // the recording says them
   scene.drive_ys_m.clear();
   settings.text = simulating::sceneText(scene) + simulating::recordingText(settings.recording) +

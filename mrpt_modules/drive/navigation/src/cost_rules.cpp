@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/outline.h>
 #include <traverse/navigation/cost_rules.h>
 
 #include <algorithm>
@@ -68,6 +69,17 @@ std::span<const LayerRule> layerRules()
   return kRules;
 }
 
+layers::LayerChoice costLayers()
+{
+  // beside the rules': slopes and heights
+  std::vector<std::string> names = {"ground_height", "slope_deg", "height_max", "height_min"};
+  for (const LayerRule& rule : kRules)
+  {
+    names.emplace_back(rule.layer);
+  }
+  return {names};
+}
+
 double hardBuffer_m(
     const CostParams& params, const geometry::Vehicle& vehicle, const geometry::Lattice& lattice)
 {
@@ -75,9 +87,6 @@ double hardBuffer_m(
   {
     return params.hard_buffer_m;
   }
-  const auto& ys = vehicle.footprint_ys_m;
-  const auto [right, left] = std::minmax_element(ys.begin(), ys.end());
-  const double width_m = ys.empty() ? 0 : *left - *right;
-  return width_m / 2 + lattice.cell_m() * std::sqrt(0.5);
+  return geometry::halfWidth_m(vehicle) + lattice.cell_m() * std::sqrt(0.5);
 }
 }  // namespace traverse::navigation

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/geometry/outline.h>
 #include <traverse/navigation/footprint.h>
 
 #include <algorithm>
@@ -7,57 +8,22 @@
 
 namespace traverse::navigation
 {
-namespace
-{
-double cross(Place o, Place a, Place b)
-{
-  return (a.x_m - o.x_m) * (b.y_m - o.y_m) - (a.y_m - o.y_m) * (b.x_m - o.x_m);
-}
-
-/** Counter-clockwise (Andrew's monotone chain). */
-std::vector<Place> convexHull(std::vector<Place> points)
-{
-  std::sort(
-      points.begin(), points.end(),
-      [](Place a, Place b) { return a.x_m != b.x_m ? a.x_m < b.x_m : a.y_m < b.y_m; });
-  std::vector<Place> hull;
-  const auto add_chain = [&hull](auto begin, auto end)
-  {
-    const size_t base = hull.size();
-    for (auto p = begin; p != end; ++p)
-    {
-      while (hull.size() >= base + 2 && cross(hull[hull.size() - 2], hull.back(), *p) <= 0)
-      {
-        hull.pop_back();
-      }
-      hull.push_back(*p);
-    }
-    hull.pop_back();
-  };
-  if (points.size() < 3)
-  {
-    return points;
-  }
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  return hull;
-}
-}  // namespace
-
 Footprint::Footprint(const geometry::Vehicle& vehicle)
 {
-  const size_t corners = std::min(vehicle.footprint_xs_m.size(), vehicle.footprint_ys_m.size());
-  for (size_t k = 0; k < corners; ++k)
+  const geometry::Outline corners = geometry::footprintOf(vehicle);
+  for (const Eigen::Vector2d& p : corners)
   {
-    const Place p = {vehicle.footprint_xs_m[k], vehicle.footprint_ys_m[k]};
-    corners_.push_back(p);
-    radius_m_ = std::max(radius_m_, std::sqrt(p.x_m * p.x_m + p.y_m * p.y_m));
+    radius_m_ = std::max(radius_m_, std::sqrt(p.x() * p.x() + p.y() * p.y()));
+  }
+  const geometry::Outline hull = geometry::convexHull(corners);
+  for (const Eigen::Vector2d& p : hull.empty() ? corners : hull)
+  {
+    corners_.push_back({p.x(), p.y()});
   }
   if (corners_.empty())
   {
     corners_.push_back({});
   }
-  corners_ = convexHull(corners_);
 }
 
 // The part of a convex outline in the band of a row of cells is convex, so the cells of the row

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <traverse/geometry/exact_trig.h>
+#include <traverse/geometry/frame2.h>
 #include <traverse/navigation/motion_guard.h>
 
 #include <algorithm>
@@ -18,48 +18,6 @@ constexpr double kTurnAhead_s = 0.4;
 
 using Corner = Eigen::Vector2d;
 
-double cross(const Corner& a, const Corner& b, const Corner& c)
-{
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
-/** Counter-clockwise (Andrew's monotone chain). */
-std::vector<Corner> hullOf(const geometry::Vehicle& vehicle)
-{
-  std::vector<Corner> corners;
-  for (size_t i = 0; i < std::min(vehicle.footprint_xs_m.size(), vehicle.footprint_ys_m.size());
-       ++i)
-  {
-    corners.emplace_back(vehicle.footprint_xs_m[i], vehicle.footprint_ys_m[i]);
-  }
-  const auto before = [](const Corner& a, const Corner& b)
-  { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); };
-  std::sort(corners.begin(), corners.end(), before);
-  std::vector<Corner> hull;
-  const auto add = [&](const Corner& corner, size_t least)
-  {
-    while (hull.size() >= least + 2 && cross(hull[hull.size() - 2], hull.back(), corner) <= 0)
-    {
-      hull.pop_back();
-    }
-    hull.push_back(corner);
-  };
-  for (const Corner& corner : corners)
-  {
-    add(corner, 0);
-  }
-  const size_t lower = hull.size();
-  for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner)
-  {
-    add(*corner, lower == 0 ? 0 : lower - 1);
-  }
-  if (!hull.empty())
-  {
-    hull.pop_back();
-  }
-  return hull;
-}
-
 /** The vehicle's frame after a way along an arc, seen from where it starts. */
 geometry::Pose2 along(double way_m, double curvature_1pm)
 {
@@ -72,12 +30,29 @@ geometry::Pose2 along(double way_m, double curvature_1pm)
   return {yaw.sin / curvature_1pm, (1 - yaw.cos) / curvature_1pm, turn};
 }
 
-Corner seenFrom(const geometry::Pose2& pose, const Eigen::Vector3f& point)
+Corner seenFrom(const geometry::Frame2& frame, const Eigen::Vector3f& point)
 {
-  const geometry::SinCos yaw = geometry::sinCosOfAny(pose.yaw_rad);
-  const double dx = static_cast<double>(point.x()) - pose.x_m;
-  const double dy = static_cast<double>(point.y()) - pose.y_m;
-  return {yaw.cos * dx + yaw.sin * dy, yaw.cos * dy - yaw.sin * dx};
+  return frame.in(point.head<2>().cast<double>());
+}
+
+/** Where the vehicle is on its way along an arc. */
+struct Stage
+{
+  double way_m = 0;
+  geometry::Frame2 frame;
+};
+
+/** Every kStep_m, up to most_m and one more. */
+std::vector<Stage> stagesOf(const geometry::Twist2& arc, double most_m)
+{
+  const double curvature = arc.speed_mps == 0 ? 0 : arc.yaw_rate_radps / arc.speed_mps;
+  const double side = arc.speed_mps < 0 ? -1 : 1;
+  std::vector<Stage> stages;
+  for (double way_m = kStep_m; way_m < most_m + kStep_m; way_m += kStep_m)
+  {
+    stages.push_back({way_m, geometry::Frame2::of(along(side * way_m, curvature))});
+  }
+  return stages;
 }
 }  // namespace
 
@@ -91,10 +66,10 @@ MotionGuard::MotionGuard(
     params_(params)
 {
   options::check(params_);
-  const std::vector<Corner> hull = hullOf(vehicle);
-  if (hull.size() < 3)
+  const geometry::Outline hull = geometry::convexHull(geometry::footprintOf(vehicle));
+  if (hull.empty())
   {
-    throw std::invalid_argument("a footprint needs three corners");
+    throw std::invalid_argument("a footprint without area");
   }
   for (size_t i = 0; i < hull.size(); ++i)
   {
@@ -124,8 +99,7 @@ double MotionGuard::stopsWithin_m(double speed_mps) const
 double MotionGuard::freeWay_m(
     const geometry::Twist2& arc, std::span<const Eigen::Vector3f> obstacles, double most_m) const
 {
-  const double curvature = arc.speed_mps == 0 ? 0 : arc.yaw_rate_radps / arc.speed_mps;
-  const double side = arc.speed_mps < 0 ? -1 : 1;
+  const std::vector<Stage> stages = stagesOf(arc, most_m);
   const double reach_m = most_m + radius_m_ + params_.margin_m;
   double free_m = most_m;
   for (const Eigen::Vector3f& point : obstacles)
@@ -136,12 +110,12 @@ double MotionGuard::freeWay_m(
     }
     const double depth_now = depth_m(point.x(), point.y());
     const double allowed = std::max(-params_.margin_m, depth_now + 1e-3);
-    for (double way_m = kStep_m; way_m < free_m + kStep_m; way_m += kStep_m)
+    for (const Stage& stage : stages)
     {
-      const Corner then = seenFrom(along(side * way_m, curvature), point);
-      if (depth_m(then.x(), then.y()) > allowed)
+      const Corner then = seenFrom(stage.frame, point);
+      if (stage.way_m >= free_m + kStep_m || depth_m(then.x(), then.y()) > allowed)
       {
-        free_m = std::min(free_m, way_m - kStep_m);
+        free_m = std::min(free_m, stage.way_m - kStep_m);
         break;
       }
     }
@@ -159,11 +133,12 @@ geometry::Twist2 MotionGuard::guarded(
     // turning on the spot: the corners come round
     const double turn =
         std::clamp(command.yaw_rate_radps, -yaw_rate_radps_, yaw_rate_radps_) * kTurnAhead_s;
+    const auto turned = geometry::Frame2::of(geometry::Pose2{0, 0, turn});
     const bool hits = std::any_of(
         obstacles.begin(), obstacles.end(),
         [&](const Eigen::Vector3f& point)
         {
-          const Corner then = seenFrom({0, 0, turn}, point);
+          const Corner then = seenFrom(turned, point);
           return depth_m(then.x(), then.y()) > std::max(0.0, depth_m(point.x(), point.y()) + 1e-3);
         });
     return hits ? geometry::Twist2{} : command;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <traverse/geometry/exact_trig.h>
+#include <traverse/geometry/frame2.h>
 #include <traverse/navigation/obstacle_points.h>
 
 #include <algorithm>
@@ -44,8 +44,8 @@ std::vector<Eigen::Vector3f> obstaclePoints(
     const Costmap& costmap, const geometry::Pose2& pose, double range_m)
 {
   std::vector<Eigen::Vector3f> points;
-  const geometry::SinCos yaw = geometry::sinCosOfAny(pose.yaw_rad);
-  if (!std::isfinite(pose.x_m + pose.y_m + yaw.sin) || !(range_m >= 0))
+  const auto frame = geometry::Frame2::of(pose);
+  if (!std::isfinite(pose.x_m + pose.y_m + pose.yaw_rad) || !(range_m >= 0))
   {
     return points;
   }
@@ -62,9 +62,11 @@ std::vector<Eigen::Vector3f> obstaclePoints(
         continue;
       }
       const float height = costmap.obstacle_m[costmap.indexOf(c)];
+      const Eigen::Vector2d seen =
+          frame.in({costmap.lattice.centre_m(c.x), costmap.lattice.centre_m(c.y)});
       points.emplace_back(
-          static_cast<float>(yaw.cos * dx + yaw.sin * dy),
-          static_cast<float>(yaw.cos * dy - yaw.sin * dx), height > 0 ? height : kObstacleHeight_m);
+          static_cast<float>(seen.x()), static_cast<float>(seen.y()),
+          height > 0 ? height : kObstacleHeight_m);
     }
   }
   return points;

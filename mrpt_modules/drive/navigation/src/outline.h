@@ -3,10 +3,9 @@
 #pragma once
 
 #include <traverse/geometry/lattice.h>
+#include <traverse/geometry/outline.h>
 #include <traverse/geometry/pose2.h>
 #include <traverse/geometry/vehicle.h>
-
-#include <vector>
 
 namespace traverse::navigation
 {
@@ -17,12 +16,9 @@ class Outline
   /** Contains nothing where the pose is not finite or the footprint has less than three corners. */
   Outline(const geometry::Vehicle& vehicle, const geometry::Pose2& stand);
 
-  /** A place of the map frame. */
-  bool contains(double x_m, double y_m) const;
-
   bool containsMiddle(const geometry::Lattice& lattice, geometry::CellIndex c) const
   {
-    return contains(lattice.centre_m(c.x), lattice.centre_m(c.y));
+    return geometry::contains(corners_, {lattice.centre_m(c.x), lattice.centre_m(c.y)});
   }
 
   /** All of a cell, to its corners. */
@@ -33,11 +29,6 @@ class Outline
       const geometry::Lattice& lattice, const geometry::CellRect& extent) const;
 
  private:
-  struct Corner
-  {
-    double x_m, y_m;
-  };
-
-  std::vector<Corner> corners_;
+  geometry::Outline corners_;
 };
 }  // namespace traverse::navigation

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/navigation/footprint.h>
+#include <traverse/navigation/on_path.h>
 #include <traverse/navigation/planner.h>
 
 #include <algorithm>
@@ -10,42 +11,9 @@ namespace traverse::navigation
 {
 namespace
 {
-/** Where on a path the vehicle is. */
-struct OnPath
-{
-  size_t next = 0;  // point that it comes to next, or the last one
-  Place nearest;
-  double along_m = 0;
-  double off_m = std::numeric_limits<double>::infinity();
-};
-
 Place placeOf(const PathPoint& point)
 {
   return {point.pose.x_m, point.pose.y_m};
-}
-
-OnPath nearestOn(const Path& path, Place place)
-{
-  OnPath best;
-  for (size_t k = 0; k < path.size(); ++k)
-  {
-    const PathPoint& to = path[k];
-    const PathPoint& from = path[k == 0 ? 0 : k - 1];
-    const double dx = to.pose.x_m - from.pose.x_m;
-    const double dy = to.pose.y_m - from.pose.y_m;
-    const double squared = dx * dx + dy * dy;
-    const double along = (place.x_m - from.pose.x_m) * dx + (place.y_m - from.pose.y_m) * dy;
-    const double share = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
-    const Place nearest = {from.pose.x_m + share * dx, from.pose.y_m + share * dy};
-    const double off_x = place.x_m - nearest.x_m;
-    const double off_y = place.y_m - nearest.y_m;
-    const double off_m = std::sqrt(off_x * off_x + off_y * off_y);
-    if (off_m < best.off_m)
-    {
-      best = {k, nearest, from.along_m + share * (to.along_m - from.along_m), off_m};
-    }
-  }
-  return best;
 }
 
 bool crossesHard(const Costmap& costmap, Place from, Place to)

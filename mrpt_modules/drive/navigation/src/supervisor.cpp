@@ -16,13 +16,6 @@ namespace
 {
 using poses::secondsBetween;
 
-double apart_m(const geometry::Pose2& a, const geometry::Pose2& b)
-{
-  const double dx = a.x_m - b.x_m;
-  const double dy = a.y_m - b.y_m;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 double turned_rad(const geometry::Pose2& a, const geometry::Pose2& b)
 {
   const geometry::SinCos turn = geometry::sinCosOfAny(a.yaw_rad - b.yaw_rad);
@@ -138,7 +131,7 @@ Supervisor::Verdict Supervisor::senses(const Situation& now) const
 Supervisor::Verdict Supervisor::jump(const Situation& now)
 {
   const double elapsed_s = before_ ? secondsBetween(before_->last_pose, now.last_pose) : 0;
-  const double moved_m = before_ ? apart_m(before_->pose, now.pose) : 0;
+  const double moved_m = before_ ? geometry::distance_m(before_->pose, now.pose) : 0;
   const bool is_place = std::isfinite(now.pose.x_m + now.pose.y_m + now.pose.yaw_rad);
   const double foreseen_m = last_speed_mps_ * std::max(elapsed_s, 0.0);
   if (!is_place || moved_m - foreseen_m > params_.max_pose_jump_m)
@@ -212,7 +205,8 @@ Decision Supervisor::withoutMotion(const Situation& now)
 
 Supervisor::Verdict Supervisor::stuck(const Situation& now)
 {
-  const bool got_on = !stuck_from_ || apart_m(*stuck_from_, now.pose) > params_.stuck_m ||
+  const bool got_on = !stuck_from_ ||
+                      geometry::distance_m(*stuck_from_, now.pose) > params_.stuck_m ||
                       turned_rad(*stuck_from_, now.pose) > kTurned_rad;
   if (got_on)
   {

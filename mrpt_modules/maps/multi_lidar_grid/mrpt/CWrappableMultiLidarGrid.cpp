@@ -74,9 +74,10 @@ void CWrappableMultiLidarGrid::advance(poses::TimeNs now)
   multi_lidar_grid::advance(state_, now, made_with_);
 }
 
-layers::LayerSet CWrappableMultiLidarGrid::layerSet(std::optional<geometry::CellRect> window) const
+layers::LayerSet CWrappableMultiLidarGrid::layerSet(
+    std::optional<geometry::CellRect> window, const layers::LayerChoice& wanted) const
 {
-  return multi_lidar_grid::layerSet(state_, made_with_, made_for_, window);
+  return multi_lidar_grid::layerSet(state_, made_with_, made_for_, window, wanted);
 }
 
 std::string CWrappableMultiLidarGrid::archive() const

@@ -139,7 +139,8 @@ layers::LayerSet layerSet(
     const State& state,
     const Params& params,
     const geometry::Vehicle& vehicle,
-    std::optional<geometry::CellRect> window)
+    std::optional<geometry::CellRect> window,
+    const layers::LayerChoice& wanted)
 {
   layers::LayerSet set;
   set.lattice = state.lattice;
@@ -161,18 +162,22 @@ layers::LayerSet layerSet(
       geometry::intersection(set.extent, state.cells.region()),
       [&](geometry::CellIndex c, const Cell& cell)
       { all.put(placeIn(set.extent, c), cell, state.mapper.groundAt(c), state.now); });
-  LatestMap latest = fuseLatest(state, params, set.extent);
-  std::vector<uint8_t> zones = bufferIn(state, params, vehicle, set.extent);
-
   set.layers.push_back({"occupancy_view", "1", std::move(all.view)});
   set.layers.push_back({"occupancy_state", "1", std::move(all.state)});
   set.layers.push_back({"sensor_mask", "1", std::move(all.seen_by)});
-  set.layers.push_back({"occupancy_latest", "1", std::move(latest.states)});
-  set.layers.push_back({"latest_mask", "1", std::move(latest.seen_by)});
+  if (wanted.has("occupancy_latest") || wanted.has("latest_mask"))
+  {
+    LatestMap latest = fuseLatest(state, params, set.extent);
+    set.layers.push_back({"occupancy_latest", "1", std::move(latest.states)});
+    set.layers.push_back({"latest_mask", "1", std::move(latest.seen_by)});
+  }
   set.layers.push_back({"free_height", "m", std::move(all.free)});
   set.layers.push_back({"ground_height", "m", std::move(all.ground)});
   set.layers.push_back({"last_seen_age", "s", std::move(all.age)});
-  set.layers.push_back({"safety_buffer", "1", std::move(zones)});
+  if (wanted.has("safety_buffer"))
+  {
+    set.layers.push_back({"safety_buffer", "1", bufferIn(state, params, vehicle, set.extent)});
+  }
   return set;
 }
 }  // namespace traverse::multi_lidar_grid

@@ -53,7 +53,8 @@ std::vector<uint32_t> CTraversabilityGridMap::pointLabels(
   return codes;
 }
 
-layers::LayerSet CTraversabilityGridMap::layerSet(std::optional<geometry::CellRect> window) const
+layers::LayerSet CTraversabilityGridMap::layerSet(
+    std::optional<geometry::CellRect> window, const layers::LayerChoice& /*wanted*/) const
 {
   return traversability_grid::layerSet(state_, insertionOptions, vehicle, window);
 }

@@ -139,7 +139,8 @@ bool sameName(std::string_view a, std::string_view b)
       a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
-IniDocument IniDocument::fromFile(const std::filesystem::path& file)
+IniDocument IniDocument::fromFile(
+    const std::filesystem::path& file, const std::vector<std::string>& assignments)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
@@ -159,6 +160,10 @@ IniDocument IniDocument::fromFile(const std::filesystem::path& file)
   }
   IniDocument document = fromText(text.str(), file.string());
   document.folder_ = std::filesystem::absolute(file).parent_path();
+  for (const std::string& assignment : assignments)
+  {
+    document.set(assignment);
+  }
   return document;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "places.h"
 
-#include <traverse/geometry/exact_trig.h>
+#include <traverse/geometry/frame2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,6 @@ namespace traverse::reactive
 {
 namespace
 {
-/** A point of the map in the vehicle's frame. */
-Eigen::Vector2d inVehicle(const Eigen::Vector2d& p, const geometry::Pose2& pose)
-{
-  const Eigen::Vector2d d = p - Eigen::Vector2d(pose.x_m, pose.y_m);
-  const geometry::SinCos yaw = geometry::sinCosOf(pose.yaw_rad);
-  return {yaw.cos * d.x() + yaw.sin * d.y(), yaw.cos * d.y() - yaw.sin * d.x()};
-}
-
 /** Whether no arc leads there, forward or backward: it lies within a circle that the vehicle turns
  * on. */
 bool isInTurningCircle(const Eigen::Vector2d& p, double radius_m)
@@ -67,7 +59,7 @@ bool Places::isOver(const geometry::Pose2& pose) const
 bool Places::isBlocked(
     size_t n, const geometry::Pose2& pose, const std::vector<Eigen::Vector3f>& obstacles) const
 {
-  const Eigen::Vector2d place = inVehicle(places_[n], pose);
+  const Eigen::Vector2d place = geometry::Frame2::of(pose).in(places_[n]);
   const double most_m2 = limits_m_.half_width * limits_m_.half_width;
   return place.norm() < 2 * limits_m_.near &&
          std::any_of(
@@ -80,7 +72,7 @@ bool Places::isPassed(size_t n, const geometry::Pose2& pose) const
 {
   const Eigen::Vector2d to_place = places_[n] - Eigen::Vector2d(pose.x_m, pose.y_m);
   if (to_place.norm() < limits_m_.tolerance ||
-      isInTurningCircle(inVehicle(places_[n], pose), limits_m_.turning_radius))
+      isInTurningCircle(geometry::Frame2::of(pose).in(places_[n]), limits_m_.turning_radius))
   {
     return true;
   }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "navigator_ini.h"
-#include "outline.h"
 #include "places.h"
 #include "senses_interface.h"
 #include "simulated_clock.h"
 #include "watched_navigator.h"
 
+#include <traverse/geometry/outline.h>
 #include <traverse/reactive/reactive_driver.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ class ReactiveDriver::Impl
                  .tolerance = params_.waypoint_tolerance_m,
                  .goal_tolerance = params_.goal_tolerance_m,
                  .near = params_.waypoint_spacing_m + params_.waypoint_tolerance_m,
-                 .half_width = halfWidth_m(vehicle_) + params_.grid_resolution_m});
+                 .half_width = geometry::halfWidth_m(vehicle_) + params_.grid_resolution_m});
     is_sent_ = false;
     has_arrived_ = false;
   }
@@ -212,7 +212,11 @@ class ReactiveDriver::Impl
     {
       return "it has come no nearer to the place that it drives to for 30 s";
     }
-    const size_t inside = countInside(vehicle_, senses.obstacles);
+    const geometry::Outline outline = geometry::footprintOf(vehicle_);
+    const auto inside = std::count_if(
+        senses.obstacles.begin(), senses.obstacles.end(),
+        [&](const Eigen::Vector3f& p)
+        { return geometry::contains(outline, p.head<2>().cast<double>()); });
     return fmt::format(
         "no trajectory to the next place is free: {} obstacle points, {} of them in the outline",
         senses.obstacles.size(), inside);

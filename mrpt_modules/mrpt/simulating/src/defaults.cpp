@@ -1,25 +1,21 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/options/ini_text.h>
 #include <traverse/simulating/defaults.h>
 #include <traverse/simulating/recording_file.h>
 #include <traverse/simulating/truth_section.h>
 #include <traverse/simulation/scene_params.h>
 
-#include <fmt/format.h>
+#include <string_view>
 
 namespace traverse::simulating
 {
 namespace
 {
 template <class P>
-std::string section(const std::string& meaning, const std::string& name, const P& params)
+std::string section(std::string_view meaning, std::string_view name, const P& params)
 {
-  std::string text = fmt::format("\n// {}\n[{}]\n", meaning, name);
-  for (const options::Row& row : options::rows(params))
-  {
-    text += fmt::format("// {} ({})\n{} = {}\n", row.meaning, row.allowed, row.key, row.value);
-  }
-  return text;
+  return options::commentedSection(meaning, name, options::rows(params));
 }
 }  // namespace
 

@@ -4,6 +4,9 @@
 
 #include <traverse/config/strict.h>
 #include <traverse/simulating/scene_file.h>
+#include <traverse/simulation/ray_caster.h>
+
+#include <fmt/format.h>
 
 namespace traverse::simulating
 {
@@ -132,5 +135,19 @@ std::string sceneText(const SceneParams& scene)
             keyLine("Drive", "ys_m", options::format(scene.drive_ys_m));
   }
   return text;
+}
+
+void checkGround(const simulation::Scene& scene)
+{
+  const uint64_t vertices = simulation::groundVertices(scene);
+  if (vertices > simulation::kMostGroundVertices)
+  {
+    throw config::ConfigError(
+        fmt::format(
+            "[Scene]: the ground has {} vertices (every 5 cm where it is sharp, every 25 cm "
+            "elsewhere); allowed: {}, so a smaller area",
+            vertices, simulation::kMostGroundVertices),
+        "Scene");
+  }
 }
 }  // namespace traverse::simulating

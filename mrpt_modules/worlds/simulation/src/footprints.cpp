@@ -14,11 +14,6 @@ namespace traverse::simulation
 {
 namespace
 {
-double cross(const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-}
-
 bool within(const Outline& inner, const Outline& outer)
 {
   constexpr double kSlack = 1e-9;  // m^2
@@ -28,7 +23,7 @@ bool within(const Outline& inner, const Outline& outer)
     const Eigen::Vector2d& to = outer[(i + 1) % outer.size()];
     if (std::any_of(
             inner.begin(), inner.end(),
-            [&](const Eigen::Vector2d& p) { return cross(from, to, p) < -kSlack; }))
+            [&](const Eigen::Vector2d& p) { return geometry::turnOf(from, to, p) < -kSlack; }))
     {
       return false;
     }
@@ -64,7 +59,7 @@ class Standing
         height_m_ = std::max(height_m_, low.along(2).max);
       }
     }
-    keep(convexHull(std::move(points)));
+    keep(geometry::convexHull(std::move(points)));
   }
 
   void add(const Ball& ball, const Eigen::Isometry3d& T_map_body)
@@ -88,7 +83,7 @@ class Standing
           centre.x() + std::sqrt(width2) * v.cos, centre.y() + std::sqrt(width2) * v.sin);
     }
     height_m_ = std::max(height_m_, std::min(centre.z() + radius_m, vehicle_height_m_));
-    keep(convexHull(std::move(points)));
+    keep(geometry::convexHull(std::move(points)));
   }
 
   double height_m() const { return height_m_; }
@@ -140,39 +135,6 @@ Footprint footprintOf(const Object& object, Standing standing, double at_s)
   return {Scene::kNoObject, object.name, object.label, standing.height_m(), standing.take()};
 }
 }  // namespace
-
-Outline convexHull(std::vector<Eigen::Vector2d> points)
-{
-  // Andrew's monotone chain (1979)
-  const auto before = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-  { return std::make_pair(a.x(), a.y()) < std::make_pair(b.x(), b.y()); };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  Outline hull;
-  const auto extend = [&](const Eigen::Vector2d& p, size_t least)
-  {
-    while (hull.size() >= least && cross(hull[hull.size() - 2], hull.back(), p) <= 0)
-    {
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  };
-  for (const Eigen::Vector2d& p : points)
-  {
-    extend(p, 2);
-  }
-  const size_t lower = hull.size() + 1;
-  for (size_t i = points.size(); i-- > 1;)
-  {
-    extend(points[i - 1], lower);
-  }
-  if (hull.size() < 4)  // the first corner stands at the end, too
-  {
-    return {};
-  }
-  hull.pop_back();
-  return hull;
-}
 
 std::vector<Footprint> footprints(const Scene& scene, const geometry::Vehicle& vehicle, double at_s)
 {

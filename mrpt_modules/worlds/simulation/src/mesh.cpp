@@ -3,6 +3,7 @@
 #include "mesh.h"
 
 #include <traverse/geometry/exact_trig.h>
+#include <traverse/geometry/outline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,7 @@ namespace traverse::simulation
 {
 namespace
 {
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
-{
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
+using geometry::turnOf;
 
 double signedArea(const std::vector<Eigen::Vector2d>& outline)
 {
@@ -35,7 +33,7 @@ bool cutEachOther(
     const Eigen::Vector2d& c,
     const Eigen::Vector2d& d)
 {
-  return cross(a, b, c) * cross(a, b, d) <= 0 && cross(c, d, a) * cross(c, d, b) <= 0;
+  return turnOf(a, b, c) * turnOf(a, b, d) <= 0 && turnOf(c, d, a) * turnOf(c, d, b) <= 0;
 }
 
 bool isInTriangle(
@@ -44,7 +42,7 @@ bool isInTriangle(
     const Eigen::Vector2d& b,
     const Eigen::Vector2d& c)
 {
-  return cross(a, b, p) >= 0 && cross(b, c, p) >= 0 && cross(c, a, p) >= 0;
+  return turnOf(a, b, p) >= 0 && turnOf(b, c, p) >= 0 && turnOf(c, a, p) >= 0;
 }
 
 /** True where the corner i of `left` sticks out and its triangle holds no other corner. */
@@ -55,12 +53,12 @@ bool isEar(const std::vector<Eigen::Vector2d>& outline, const std::vector<uint32
   const Eigen::Vector2d& a = outline[before];
   const Eigen::Vector2d& b = outline[left[i]];
   const Eigen::Vector2d& c = outline[after];
-  return cross(a, b, c) > 0 && std::none_of(
-                                   left.begin(), left.end(),
-                                   [&](uint32_t k) {
-                                     return k != before && k != left[i] && k != after &&
-                                            isInTriangle(outline[k], a, b, c);
-                                   });
+  return turnOf(a, b, c) > 0 && std::none_of(
+                                    left.begin(), left.end(),
+                                    [&](uint32_t k) {
+                                      return k != before && k != left[i] && k != after &&
+                                             isInTriangle(outline[k], a, b, c);
+                                    });
 }
 
 /** By cutting off ears; outline counter-clockwise. */

@@ -3,6 +3,7 @@
 #include "recording_time.h"
 
 #include <traverse/geometry/exact_trig.h>
+#include <traverse/poses/level_pose.h>
 #include <traverse/simulation/pose_sensors.h>
 #include <traverse/simulation/random.h>
 
@@ -20,59 +21,10 @@ enum Purpose : uint64_t
   kLosses = 2,
 };
 
-/** Place and heading on the plane. */
-struct Planar
-{
-  double x_m = 0;
-  double y_m = 0;
-  double yaw_rad = 0;
-};
-
-Planar planar(const Eigen::Isometry3d& T_map_base)
-{
-  return {
-      T_map_base.translation().x(), T_map_base.translation().y(),
-      geometry::angleOf(T_map_base.linear()(1, 0), T_map_base.linear()(0, 0))};
-}
-
 double wrappedAngle(double angle_rad)
 {
   return std::remainder(angle_rad, 2 * geometry::kPi);
 }
-
-/** Adds up what the wheels tell of each step. */
-class DeadReckoning
-{
- public:
-  DeadReckoning(const OdometryParams& params, uint64_t seed) : params_(params), random_(seed) {}
-
-  void step(const Planar& from, const Planar& to)
-  {
-    const geometry::SinCos h = geometry::sinCosOf(from.yaw_rad);
-    const double dx = to.x_m - from.x_m;
-    const double dy = to.y_m - from.y_m;
-    const double way_m = std::sqrt(dx * dx + dy * dy);
-    const double root = std::sqrt(way_m);
-    const double factor = 1 + params_.scale_error;
-    const double forward =
-        factor * (h.cos * dx + h.sin * dy) + params_.noise_share * root * random_.normal();
-    const double left = factor * (h.cos * dy - h.sin * dx);
-    const geometry::SinCos own = geometry::sinCosOf(at_.yaw_rad);
-    at_.x_m += own.cos * forward - own.sin * left;
-    at_.y_m += own.sin * forward + own.cos * left;
-    const double error_deg =
-        params_.yaw_drift_degpm * way_m + params_.noise_degpm * root * random_.normal();
-    at_.yaw_rad =
-        wrappedAngle(at_.yaw_rad + (to.yaw_rad - from.yaw_rad) + error_deg * kRadPerDegree);
-  }
-
-  const Planar& at() const { return at_; }
-
- private:
-  const OdometryParams& params_;
-  Random random_;
-  Planar at_;
-};
 }  // namespace
 
 Ins::Ins(const InsParams& params, uint64_t seed) : params_(params), seed_(seed)
@@ -117,19 +69,43 @@ InsPose Ins::pose(uint64_t k, const Motion& drive) const
   return pose;
 }
 
+DeadReckoning::DeadReckoning(const OdometryParams& params, uint64_t seed) :
+    params_(params), random_(mixed({seed, kNoise}))
+{
+  options::check(params);
+}
+
+void DeadReckoning::step(const geometry::Pose2& from, const geometry::Pose2& to)
+{
+  const geometry::SinCos h = geometry::sinCosOf(from.yaw_rad);
+  const double dx = to.x_m - from.x_m;
+  const double dy = to.y_m - from.y_m;
+  const double way_m = std::sqrt(dx * dx + dy * dy);
+  const double root = std::sqrt(way_m);
+  const double factor = 1 + params_.scale_error;
+  const double forward =
+      factor * (h.cos * dx + h.sin * dy) + params_.noise_share * root * random_.normal();
+  const double left = factor * (h.cos * dy - h.sin * dx);
+  const geometry::SinCos own = geometry::sinCosOf(at_.yaw_rad);
+  at_.x_m += own.cos * forward - own.sin * left;
+  at_.y_m += own.sin * forward + own.cos * left;
+  const double error_deg =
+      params_.yaw_drift_degpm * way_m + params_.noise_degpm * root * random_.normal();
+  at_.yaw_rad = wrappedAngle(at_.yaw_rad + (to.yaw_rad - from.yaw_rad) + error_deg * kRadPerDegree);
+}
+
 std::vector<OdometryPose> odometryOf(
     const Motion& drive, double end_s, const OdometryParams& params, uint64_t seed)
 {
-  options::check(params);
+  DeadReckoning wheels(params, seed);
   const uint64_t count = dueUntil(end_s, params.rate_hz);
   std::vector<OdometryPose> poses;
   poses.reserve(count);
-  DeadReckoning wheels(params, mixed({seed, kNoise}));
-  Planar last = planar(drive.at(0));
+  geometry::Pose2 last = poses::seenFromAbove(drive.at(0));
   for (uint64_t k = 0; k < count; ++k)
   {
     const int64_t time_ns = dueNs(k, params.rate_hz);
-    const Planar now = planar(drive.at(secondsOf(time_ns)));
+    const geometry::Pose2 now = poses::seenFromAbove(drive.at(secondsOf(time_ns)));
     wheels.step(last, now);
     last = now;
     const poses::TimeNs arrival = kRecordingStart + time_ns;

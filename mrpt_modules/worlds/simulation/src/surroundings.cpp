@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_distance.h"
 
-#include <traverse/geometry/exact_trig.h>
+#include <traverse/geometry/frame2.h>
 #include <traverse/simulation/surroundings.h>
 
 #include <algorithm>
@@ -20,50 +20,6 @@ struct Bounded
   Round round;
 
   explicit Bounded(Outline given) : outline(std::move(given)), round(roundOf(outline)) {}
-};
-
-/** Seen from above: x axis and origin of a frame. */
-struct Frame2
-{
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
-  Eigen::Vector2d axis = Eigen::Vector2d::UnitX();
-
-  static Frame2 of(const Eigen::Isometry3d& T)
-  {
-    const Eigen::Vector2d x = T.linear().col(0).head<2>();
-    return {T.translation().head<2>(), x / std::sqrt(x.dot(x))};
-  }
-
-  static Frame2 of(const geometry::Pose2& pose)
-  {
-    const auto [s, c] = geometry::sinCosOfAny(pose.yaw_rad);
-    return {{pose.x_m, pose.y_m}, {c, s}};
-  }
-
-  Eigen::Vector2d out(const Eigen::Vector2d& p) const
-  {
-    return {
-        origin.x() + axis.x() * p.x() - axis.y() * p.y(),
-        origin.y() + axis.y() * p.x() + axis.x() * p.y()};
-  }
-
-  Eigen::Vector2d in(const Eigen::Vector2d& p) const
-  {
-    const Eigen::Vector2d d = p - origin;
-    return {axis.x() * d.x() + axis.y() * d.y(), axis.x() * d.y() - axis.y() * d.x()};
-  }
-
-  template <Eigen::Vector2d (Frame2::*convert)(const Eigen::Vector2d&) const>
-  Outline all(const Outline& outline) const
-  {
-    Outline converted;
-    converted.reserve(outline.size());
-    for (const Eigen::Vector2d& p : outline)
-    {
-      converted.push_back((this->*convert)(p));
-    }
-    return converted;
-  }
 };
 
 /** What moves, in its own frame. */
@@ -174,10 +130,10 @@ struct Surroundings::Known
       return;
     }
     Mover mover{object.motion, {}};
-    const Frame2 frame = Frame2::of(object.motion.at(0));
+    const geometry::Frame2 frame = geometry::Frame2::of(object.motion.at(0));
     for (const Outline& outline : outlines)
     {
-      mover.pieces.emplace_back(frame.all<&Frame2::in>(outline));
+      mover.pieces.emplace_back(frame.in(outline));
     }
     movers.push_back(std::move(mover));
   }
@@ -186,13 +142,7 @@ struct Surroundings::Known
 Surroundings::Surroundings(const Scene& scene, const geometry::Vehicle& vehicle)
 {
   auto known = std::make_shared<Known>();
-  std::vector<Eigen::Vector2d> corners;
-  const size_t count = std::min(vehicle.footprint_xs_m.size(), vehicle.footprint_ys_m.size());
-  for (size_t i = 0; i < count; ++i)
-  {
-    corners.emplace_back(vehicle.footprint_xs_m[i], vehicle.footprint_ys_m[i]);
-  }
-  known->vehicle = convexHull(std::move(corners));
+  known->vehicle = geometry::convexHull(geometry::footprintOf(vehicle));
   if (known->vehicle.empty())
   {
     throw std::invalid_argument("[Vehicle]: the footprint has no area");
@@ -210,7 +160,7 @@ Surroundings::Surroundings(const Scene& scene, const geometry::Vehicle& vehicle)
 
 double Surroundings::clearance_m(const geometry::Pose2& pose, double t_s, double most_m) const
 {
-  Search search(Frame2::of(pose).all<&Frame2::out>(known_->vehicle), most_m);
+  Search search(geometry::Frame2::of(pose).out(known_->vehicle), most_m);
   for (const Bounded& thing : known_->standing)
   {
     if (search.mayReach(thing.round))
@@ -220,12 +170,12 @@ double Surroundings::clearance_m(const geometry::Pose2& pose, double t_s, double
   }
   for (const Mover& mover : known_->movers)
   {
-    const Frame2 frame = Frame2::of(mover.motion.at(t_s));
+    const geometry::Frame2 frame = geometry::Frame2::of(mover.motion.at(t_s));
     for (const Bounded& piece : mover.pieces)
     {
       if (search.mayReach({frame.out(piece.round.middle), piece.round.radius_m}))
       {
-        search.meet(frame.all<&Frame2::out>(piece.outline));
+        search.meet(frame.out(piece.outline));
       }
     }
   }

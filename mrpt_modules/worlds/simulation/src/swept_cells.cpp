@@ -84,7 +84,7 @@ class Sweep
     {
       seen.emplace_back((T_map_body * p).head<2>());
     }
-    const Outline outline = convexHull(std::move(seen));
+    const Outline outline = geometry::convexHull(std::move(seen));
     if (outline.empty())
     {
       return;

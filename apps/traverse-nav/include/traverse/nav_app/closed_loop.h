@@ -57,7 +57,7 @@ struct DriveResult
 struct DriveOptions
 {
   const std::atomic<bool>* stop = nullptr;
-  std::function<void(const Pilot&, const DriveRecord&)> watch;  //!< after each control step
+  std::function<void(const Pilot&, const DriveResult&)> watch;  //!< after each control step
 };
 
 /** Sensors -> maps -> costmap -> way -> reactive layer -> vehicle, until the last goal is reached,

@@ -5,9 +5,11 @@
 #include <traverse/options/option.h>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,7 +39,9 @@ struct NavParams
 };
 
 template <class P, class F>
-void visitNavParams(P& p, F&& f)
+requires std::same_as<std::remove_const_t<P>, NavParams>
+
+void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"title", "of the report"}, p.title);
@@ -65,18 +69,6 @@ void visitNavParams(P& p, F&& f)
           "drive.gif gets a picture of costs, way and vehicle so often, s; 0: there is none",
           {0, 3600}},
       p.frames_every_s);
-}
-
-template <class F>
-void visit(NavParams& p, F&& f)
-{
-  visitNavParams(p, f);
-}
-
-template <class F>
-void visit(const NavParams& p, F&& f)
-{
-  visitNavParams(p, f);
 }
 }  // namespace traverse::app
 

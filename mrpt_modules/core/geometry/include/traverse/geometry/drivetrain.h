@@ -5,8 +5,10 @@
 #include <traverse/options/option.h>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace traverse::geometry
@@ -37,7 +39,9 @@ struct Drivetrain
 };
 
 template <class P, class F>
-void visitDrivetrain(P& p, F&& f)
+requires std::same_as<std::remove_const_t<P>, Drivetrain>
+
+void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"steering", "differential: turns on the spot; ackermann: steers its front wheels"},
@@ -57,18 +61,6 @@ void visitDrivetrain(P& p, F&& f)
   f(Option{"max_yaw_accel_degps2", "differential: how fast that changes, deg/s2", {1, 7200}},
     p.max_yaw_accel_degps2);
   f(Option{"mass_kg", "of the vehicle, kg", {0.1, 1e5}}, p.mass_kg);
-}
-
-template <class F>
-void visit(Drivetrain& p, F&& f)
-{
-  visitDrivetrain(p, f);
-}
-
-template <class F>
-void visit(const Drivetrain& p, F&& f)
-{
-  visitDrivetrain(p, f);
 }
 
 /** Smallest radius of the origin's way, m; 0 for vehicles that turn on the spot. */

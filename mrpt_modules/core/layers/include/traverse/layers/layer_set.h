@@ -4,7 +4,9 @@
 
 #include <traverse/geometry/lattice.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -53,6 +55,17 @@ struct LayerSet
   size_t size() const
   {
     return static_cast<size_t>(extent.width()) * static_cast<size_t>(extent.height());
+  }
+};
+
+/** Which layers somebody wants: all, or those of these names. */
+struct LayerChoice
+{
+  std::optional<std::vector<std::string>> names;
+
+  bool has(std::string_view name) const
+  {
+    return !names || std::find(names->begin(), names->end(), name) != names->end();
   }
 };
 

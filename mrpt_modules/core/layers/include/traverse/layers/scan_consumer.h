@@ -61,8 +61,11 @@ class ScanConsumer
     return {};
   }
 
-  /** The map's layers in a window (all of it by default; cells outside the map are unknown). */
-  virtual LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const = 0;
+  /** The map's layers in a window (all of it by default; cells outside the map are unknown). Others
+   * than the wanted ones may be left out: those that cost something are. */
+  virtual LayerSet layerSet(
+      std::optional<geometry::CellRect> window = std::nullopt,
+      const LayerChoice& wanted = {}) const = 0;
 
   /** The map as a checked, versioned, deterministic byte string (formats/archive.h). */
   virtual std::string archive() const = 0;

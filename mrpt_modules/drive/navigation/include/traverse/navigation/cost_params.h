@@ -6,8 +6,10 @@
 #include <traverse/options/option.h>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace traverse::navigation
@@ -39,7 +41,9 @@ struct CostParams
 };
 
 template <class P, class F>
-void visitCostParams(P& p, F&& f)
+requires std::same_as<std::remove_const_t<P>, CostParams>
+
+void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"cell_size_m", "edge of a cell of the costmap, m, to 1 mm", {0.02, 10}}, p.cell_size_m);
@@ -80,18 +84,6 @@ void visitCostParams(P& p, F&& f)
     p.small_roughness_mps);
   f(Option{"large_roughness_mps", "highest speed over large roughness, m/s", {0.05, 60}},
     p.large_roughness_mps);
-}
-
-template <class F>
-void visit(CostParams& p, F&& f)
-{
-  visitCostParams(p, f);
-}
-
-template <class F>
-void visit(const CostParams& p, F&& f)
-{
-  visitCostParams(p, f);
 }
 }  // namespace traverse::navigation
 

@@ -4,6 +4,7 @@
 
 #include <traverse/geometry/lattice.h>
 #include <traverse/geometry/vehicle.h>
+#include <traverse/layers/layer_set.h>
 #include <traverse/layers/occupancy_state.h>
 #include <traverse/navigation/cost_params.h>
 
@@ -67,6 +68,9 @@ struct LayerRule
 
 /** All rows but those of slopes. */
 std::span<const LayerRule> layerRules();
+
+/** All layers that costmapOf() and explainCost() read. */
+layers::LayerChoice costLayers();
 
 /** The hard buffer in use, m, from the middle of an obstacle's cell: CostParams::hard_buffer_m, or
  * half of the footprint's width and half of a cell's diagonal, so that a round vehicle in the

@@ -9,7 +9,9 @@
 
 #include <Eigen/Core>
 
+#include <concepts>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace traverse::navigation
@@ -24,23 +26,13 @@ struct GuardParams
 };
 
 template <class P, class F>
-void visitGuardParams(P& p, F&& f)
+requires std::same_as<std::remove_const_t<P>, GuardParams>
+
+void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"margin_m", "the outline stops so far from obstacles, m", {0, 5}}, p.margin_m);
   f(Option{"reaction_s", "from a command to the brakes, s", {0, 5}}, p.reaction_s);
-}
-
-template <class F>
-void visit(GuardParams& p, F&& f)
-{
-  visitGuardParams(p, f);
-}
-
-template <class F>
-void visit(const GuardParams& p, F&& f)
-{
-  visitGuardParams(p, f);
 }
 
 /** Lets commands pass that the vehicle can still brake before it touches anything, and slows others
@@ -49,7 +41,7 @@ void visit(const GuardParams& p, F&& f)
 class MotionGuard
 {
  public:
-  /** Throws std::invalid_argument where the footprint has less than three corners,
+  /** Throws std::invalid_argument where the footprint has no area,
    * options::OptionError. */
   MotionGuard(
       const geometry::Vehicle& vehicle,

@@ -5,8 +5,10 @@
 #include <traverse/options/option.h>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace traverse::navigation
@@ -33,7 +35,9 @@ struct PlanParams
 };
 
 template <class P, class F>
-void visitPlanParams(P& p, F&& f)
+requires std::same_as<std::remove_const_t<P>, PlanParams>
+
+void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"planner", "auto: grid for vehicles that turn on the spot, hybrid for car-like ones"},
@@ -49,18 +53,6 @@ void visitPlanParams(P& p, F&& f)
       p.turn_price);
   f(Option{"most_expansions", "hybrid: it gives up after so many", {100, 100000000}},
     p.most_expansions);
-}
-
-template <class F>
-void visit(PlanParams& p, F&& f)
-{
-  visitPlanParams(p, f);
-}
-
-template <class F>
-void visit(const PlanParams& p, F&& f)
-{
-  visitPlanParams(p, f);
 }
 }  // namespace traverse::navigation
 

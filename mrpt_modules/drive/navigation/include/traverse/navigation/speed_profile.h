@@ -7,8 +7,10 @@
 #include <traverse/navigation/path.h>
 #include <traverse/options/option.h>
 
+#include <concepts>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace traverse::navigation
@@ -26,7 +28,9 @@ struct SpeedParams
 };
 
 template <class P, class F>
-void visitSpeedParams(P& p, F&& f)
+requires std::same_as<std::remove_const_t<P>, SpeedParams>
+
+void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"lateral_accel_mps2", "most in curves, m/s2", {0.05, 20}}, p.lateral_accel_mps2);
@@ -41,18 +45,6 @@ void visitSpeedParams(P& p, F&& f)
   f(Option{"reaction_s", "from a map's scan to the brakes, s", {0, 10}}, p.reaction_s);
   f(Option{"creep_mps", "no limit but that of standing still lies below, m/s", {0.01, 5}},
     p.creep_mps);
-}
-
-template <class F>
-void visit(SpeedParams& p, F&& f)
-{
-  visitSpeedParams(p, f);
-}
-
-template <class F>
-void visit(const SpeedParams& p, F&& f)
-{
-  visitSpeedParams(p, f);
 }
 
 /** What holds the speed down at a place. */

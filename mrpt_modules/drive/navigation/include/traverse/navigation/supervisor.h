@@ -6,10 +6,12 @@
 #include <traverse/options/option.h>
 #include <traverse/poses/pose_track.h>
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace traverse::navigation
@@ -29,7 +31,9 @@ struct WatchdogParams
 };
 
 template <class P, class F>
-void visitWatchdogParams(P& p, F&& f)
+requires std::same_as<std::remove_const_t<P>, WatchdogParams>
+
+void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"max_map_age_s", "with no newer scan in its maps the vehicle stops, s", {0.05, 60}},
@@ -51,18 +55,6 @@ void visitWatchdogParams(P& p, F&& f)
       p.stuck_s);
   f(Option{"stuck_m", "likewise, m", {0.01, 10}}, p.stuck_m);
   f(Option{"most_recoveries", "then it stands for good", {0, 1000}}, p.most_recoveries);
-}
-
-template <class F>
-void visit(WatchdogParams& p, F&& f)
-{
-  visitWatchdogParams(p, f);
-}
-
-template <class F>
-void visit(const WatchdogParams& p, F&& f)
-{
-  visitWatchdogParams(p, f);
 }
 
 /** What the vehicle is to do. */

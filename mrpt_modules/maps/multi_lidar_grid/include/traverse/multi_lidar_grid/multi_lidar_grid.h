@@ -40,14 +40,16 @@ layers::OccupancyState stronger(layers::OccupancyState a, layers::OccupancyState
  * ground; NaN where not free), ground_height (m), last_seen_age (s; NaN where unknown),
  * safety_buffer (layers::BufferZone). Of the latest cloud of each sensor that is not silent:
  * occupancy_latest and latest_mask. For pictures, the class layer: occupancy_view, which is
- * occupancy_state but 5 where several sensors saw a free cell.
+ * occupancy_state but 5 where several sensors saw a free cell. safety_buffer and those of latest
+ * clouds, which take most of the time, only where they are wanted.
  *
  * Throws std::length_error for more than kMostLayerCells. */
 layers::LayerSet layerSet(
     const State& state,
     const Params& params,
     const geometry::Vehicle& vehicle,
-    std::optional<geometry::CellRect> window = std::nullopt);
+    std::optional<geometry::CellRect> window = std::nullopt,
+    const layers::LayerChoice& wanted = {});
 
 inline constexpr int64_t kMostLayerCells = 100'000'000;
 

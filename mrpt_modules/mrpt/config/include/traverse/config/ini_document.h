@@ -44,8 +44,10 @@ struct Entry
 class IniDocument
 {
  public:
-  /** Throws ConfigError; files over 4 MB are refused. */
-  static IniDocument fromFile(const std::filesystem::path& file);
+  /** With assignments, as of set(), over what the file says. Throws ConfigError; files over 4 MB
+   * are refused. */
+  static IniDocument fromFile(
+      const std::filesystem::path& file, const std::vector<std::string>& assignments = {});
 
   /** `name` stands for the file in messages. */
   static IniDocument fromText(const std::string& text, const std::string& name);

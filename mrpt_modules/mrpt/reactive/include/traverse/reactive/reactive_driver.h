@@ -11,11 +11,13 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,7 +45,9 @@ struct ReactiveParams
 };
 
 template <class P, class F>
-void visitReactiveParams(P& p, F&& f)
+requires std::same_as<std::remove_const_t<P>, ReactiveParams>
+
+void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"navigator", "MRPT's CReactiveNavigationSystem (2d) or ...3D (3d)"}, p.navigator);
@@ -57,18 +61,6 @@ void visitReactiveParams(P& p, F&& f)
     p.waypoint_tolerance_m);
   f(Option{"goal_tolerance_m", "so near the last of them is reached, m", {0.05, 20}},
     p.goal_tolerance_m);
-}
-
-template <class F>
-void visit(ReactiveParams& p, F&& f)
-{
-  visitReactiveParams(p, f);
-}
-
-template <class F>
-void visit(const ReactiveParams& p, F&& f)
-{
-  visitReactiveParams(p, f);
 }
 
 /** What the driver senses in a control step. */

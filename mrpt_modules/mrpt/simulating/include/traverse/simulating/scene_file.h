@@ -3,6 +3,7 @@
 #pragma once
 
 #include <traverse/config/ini_document.h>
+#include <traverse/simulation/scene.h>
 #include <traverse/simulation/scene_params.h>
 
 #include <string>
@@ -18,4 +19,7 @@ simulation::SceneParams readScene(const config::IniDocument& ini);
 /** The scene as an ini text from which readScene() reads the same scene, its folder excepted. Keys
  * with their default are left out. Throws ConfigError where a text cannot stand in an ini file. */
 std::string sceneText(const simulation::SceneParams& scene);
+
+/** Throws ConfigError for a ground that memory does not hold. */
+void checkGround(const simulation::Scene& scene);
 }  // namespace traverse::simulating

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/geometry/outline.h>
 #include <traverse/geometry/vehicle.h>
 #include <traverse/layers/layer_set.h>
 #include <traverse/simulation/scene.h>
@@ -15,7 +16,7 @@
 namespace traverse::simulation
 {
 /** A convex polygon of the map frame, m, counter-clockwise, the first corner not repeated. */
-using Outline = std::vector<Eigen::Vector2d>;
+using geometry::Outline;
 
 /** Where a thing stands on the ground. */
 struct Footprint
@@ -33,9 +34,6 @@ struct Footprint
  * there. */
 std::vector<Footprint> footprints(
     const Scene& scene, const geometry::Vehicle& vehicle, double at_s);
-
-/** The convex hull of points; empty where they span no area. */
-Outline convexHull(std::vector<Eigen::Vector2d> points);
 
 /** Layer truth_swept on the cells of cellTruth(): 1 where a moving thing was above at any time of
  * [from_s, to_s], to half a cell. Throws as cellTruth(). */

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <traverse/geometry/pose2.h>
 #include <traverse/options/option.h>
 #include <traverse/poses/pose_track.h>
 #include <traverse/simulation/motion.h>
+#include <traverse/simulation/random.h>
 
 #include <string>
 #include <vector>
@@ -143,6 +145,25 @@ class Ins
  private:
   InsParams params_;
   uint64_t seed_;
+};
+
+/** Adds up what odometry tells of each step. */
+class DeadReckoning
+{
+ public:
+  /** Throws options::OptionError. */
+  DeadReckoning(const OdometryParams& params, uint64_t seed);
+
+  /** As the wheels moved, without error. */
+  void step(const geometry::Pose2& from, const geometry::Pose2& to);
+
+  /** From where it began. */
+  const geometry::Pose2& at() const { return at_; }
+
+ private:
+  OdometryParams params_;
+  Random random_;
+  geometry::Pose2 at_;
 };
 
 /** Errors add up along the way, so the poses of a drive are made at once. */

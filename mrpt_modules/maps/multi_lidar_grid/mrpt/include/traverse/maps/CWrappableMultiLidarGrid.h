@@ -75,7 +75,9 @@ class CWrappableMultiLidarGrid : public MapShell
   /** Throws std::invalid_argument where the map has clouds and options of other values made it. */
   layers::UpdateStats insertScan(const points::Scan& scan, const poses::PoseTrack& track) override;
   void advance(poses::TimeNs now) override;
-  layers::LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const override;
+  layers::LayerSet layerSet(
+      std::optional<geometry::CellRect> window = std::nullopt,
+      const layers::LayerChoice& wanted = {}) const override;
   std::string archive() const override;
 
   std::string_view archiveKind() const override { return multi_lidar_grid::kArchiveKind; }

@@ -70,7 +70,9 @@ class CTraversabilityGridMap : public MapShell
   void advance(poses::TimeNs now) override;
   std::vector<uint32_t> pointLabels(
       const points::Scan& scan, const poses::PoseTrack& track) const override;
-  layers::LayerSet layerSet(std::optional<geometry::CellRect> window = std::nullopt) const override;
+  layers::LayerSet layerSet(
+      std::optional<geometry::CellRect> window = std::nullopt,
+      const layers::LayerChoice& wanted = {}) const override;
   std::string archive() const override;
   void mergeArchive(std::string_view bytes) override;
   std::string mergeObstacle() const override;
