@@ -172,14 +172,15 @@ TEST_F(StockPrograms, PfLocalizationFindsTheRobotInTheMapOfSeveralLidars)
           onlyFile("CWrappableMultiLidarGrid", ".gridmap").string() +
           "\nrawlog_file=" + mrptData("localization_demo.rawlog") +
           "\nlogOutput_dir=PF\n3DSceneFrequency=100000\nexperimentRepetitions=1\n"
-          "particles_count=3000\ninit_PDF_mode=0\ninit_PDF_min_x=-10\ninit_PDF_max_x=10\n"
-          "init_PDF_min_y=-15\ninit_PDF_max_y=-5\nSHOW_PROGRESS_3D_REAL_TIME=false\n"
+          "particles_count=20000\ninit_PDF_mode=0\ninit_PDF_min_x=1\ninit_PDF_max_x=7\n"
+          "init_PDF_min_y=-13\ninit_PDF_max_y=-8\nSHOW_PROGRESS_3D_REAL_TIME=false\n"
           "[MetricMap]\noccupancyGrid_count=1\npointsMap_count=0\n"
           "likelihoodMapSelection=-1\n[MetricMap_occupancyGrid_00_creationOpts]\n"
           "resolution=0.1\n");
   const Finished localized = run("pf-localization pf.ini", folder_);
   EXPECT_EQ(localized.status, 0) << localized.output;
-  // With MRPT's own grid of the same scans it ends at (15.91, -10.01) +- 0.02 in each of five runs.
+  // With MRPT's own grid of the same scans it ends at (15.92, -10.02) +- 0.02. Its dice are thrown
+  // anew in each run: from 200 m2, or with 3000 particles, it is lost now and then in both grids.
   const auto [x, y] = lastEstimate(localized.output);
   EXPECT_NEAR(x, 15.91, 0.3) << "three cells";
   EXPECT_NEAR(y, -10.01, 0.3);
