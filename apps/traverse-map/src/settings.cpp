@@ -14,7 +14,6 @@ namespace traverse::app
 namespace
 {
 using config::ConfigError;
-using config::Entry;
 using config::sameName;
 
 const std::vector<std::string>& ownSections()
@@ -22,20 +21,6 @@ const std::vector<std::string>& ownSections()
   static const std::vector<std::string> kSections = {"traverse-map", "Vehicle", "Poses",
                                                      "Sensors",      "Log",     "Maps"};
   return kSections;
-}
-
-/** Relative names of the ini start at its folder; those of the command line at the working folder.
- */
-std::string fromIniFolder(
-    const config::IniDocument& ini,
-    const std::string& section,
-    const std::string& key,
-    const std::string& name)
-{
-  const Entry* entry = ini.find(section, key);
-  const bool written_in_ini = entry != nullptr && entry->place.rfind("--set", 0) != 0;
-  const bool relative = !name.empty() && std::filesystem::path(name).is_relative();
-  return written_in_ini && relative ? (ini.folder() / name).string() : name;
 }
 
 /** What no single key can say. */
@@ -90,9 +75,8 @@ Settings loadSettings(const Command& command)
   config::load(settings.ini, "Poses", settings.poses);
   config::load(settings.ini, "Sensors", settings.sensors);
   config::load(settings.ini, "Log", settings.log);
-  settings.poses.file = fromIniFolder(settings.ini, "Poses", "file", settings.poses.file);
-  settings.poses.times_file =
-      fromIniFolder(settings.ini, "Poses", "times_file", settings.poses.times_file);
+  settings.poses.file = settings.ini.pathOf("Poses", "file", settings.poses.file);
+  settings.poses.times_file = settings.ini.pathOf("Poses", "times_file", settings.poses.times_file);
   checkTogether(settings);
 
   MapWishes wishes = readWantedMaps(settings.ini);
@@ -100,7 +84,7 @@ Settings loadSettings(const Command& command)
   settings.maps = wishes.ours;
   settings.warnings = wishes.warnings;
   settings.rawlog = command.rawlog.empty()
-                        ? fromIniFolder(settings.ini, "traverse-map", "rawlog", settings.run.rawlog)
+                        ? settings.ini.pathOf("traverse-map", "rawlog", settings.run.rawlog)
                         : command.rawlog;
   settings.rebuild = command.rebuild;
   settings.rawlog = command.rebuild.empty() ? settings.rawlog : settings.rebuild;

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 #include "defaults.h"
+#include "metrics.h"
 #include "outputs.h"
 #include "watcher.h"
 
 #include <traverse/common_app/failures.h>
 #include <traverse/common_app/interrupt.h>
+#include <traverse/formats/bytes.h>
 #include <traverse/formats/safe_file.h>
+#include <traverse/logs/log_report.h>
 #include <traverse/nav_app/app.h>
 #include <traverse/plugin/register.h>
 
@@ -46,28 +49,70 @@ void tellWhy(const Pilot& pilot, const std::array<double, 2>& place_m)
   }
 }
 
-ExitCode navigate(const NavCommand& command, const NavSettings& settings)
+DriveOptions watchedBy(Watcher& watcher)
 {
-  const Interrupt interrupt;
-  const Mission mission = readMission(settings, command.seed);
-  formats::OutputFolder folder(
-      command.output, command.force ? formats::Overwrite::replace : formats::Overwrite::refuse);
-  Pilot pilot(settings, cacheFolder(), folder.path());
-  Watcher watcher(settings, command.quiet);
   DriveOptions options;
   options.stop = &Interrupt::flag();
   options.watch = [&](const Pilot& at, const DriveResult& so_far) { watcher.see(at, so_far); };
-  const DriveResult result = drive(settings, mission, command.seed, pilot, options);
-  watcher.finish(folder);
-  const Json metrics =
-      metricsOf(settings, pilot, result, optimum_m(settings, mission), command.seed);
-  writeDrive(folder, settings, pilot, mission, result, metrics);
-  folder.commit();
+  return options;
+}
+
+formats::OutputFolder folderOf(const NavCommand& command)
+{
+  return formats::OutputFolder(
+      command.output, command.force ? formats::Overwrite::replace : formats::Overwrite::refuse);
+}
+
+/** What is said at the end of a run of either kind. */
+void conclude(const NavCommand& command, const Pilot& pilot, const Json& metrics)
+{
   if (command.why)
   {
     tellWhy(pilot, *command.why);
   }
   std::cout << textOf(metrics) << "\n";
+}
+
+ExitCode navigate(const NavCommand& command, const NavSettings& settings)
+{
+  const Interrupt interrupt;
+  const Mission mission = readMission(settings, command.seed);
+  formats::OutputFolder folder = folderOf(command);
+  Pilot pilot(settings, cacheFolder(), folder.path());
+  Watcher watcher(settings, command.quiet);
+  const DriveResult result = drive(settings, mission, command.seed, pilot, watchedBy(watcher));
+  watcher.finish(folder);
+  const Json metrics =
+      driveMetrics(settings, pilot, result, optimum_m(settings, mission), command.seed);
+  writeDrive(folder, settings, pilot, mission.goals, result, metrics);
+  folder.commit();
+  conclude(command, pilot, metrics);
+  return result.interrupted ? Interrupt::exitCode().value_or(ExitCode::interrupted)
+                            : ExitCode::done;
+}
+
+ExitCode replayLog(const NavCommand& command, const NavSettings& settings)
+{
+  const Interrupt interrupt;
+  formats::OutputFolder folder = folderOf(command);
+  Pilot pilot(settings, cacheFolder(), folder.path());
+  Watcher watcher(settings, command.quiet);
+  const ReplayResult result = replay(settings, command.replay, pilot, watchedBy(watcher));
+  if (result.records.empty())
+  {
+    tell("input", result.problem.empty() ? "the log has no scan with a pose" : result.problem);
+    return ExitCode::unreadable;
+  }
+  watcher.finish(folder);
+  const Json metrics = replayMetrics(settings, pilot, result, command.replay);
+  writeDrive(folder, settings, pilot, {}, result, metrics);
+  folder.commit();
+  conclude(command, pilot, metrics);
+  if (!result.problem.empty())
+  {
+    tell("problem", result.problem);
+    return ExitCode::partial;
+  }
   return result.interrupted ? Interrupt::exitCode().value_or(ExitCode::interrupted)
                             : ExitCode::done;
 }
@@ -87,10 +132,13 @@ ExitCode runCommand(const NavCommand& command)
   }
   if (command.check_config)
   {
-    readMission(settings, command.seed);
+    if (!settings.scene.empty())
+    {
+      readMission(settings, command.seed);
+    }
     return ExitCode::done;
   }
-  return navigate(command, settings);
+  return command.replay.empty() ? navigate(command, settings) : replayLog(command, settings);
 }
 }  // namespace
 
@@ -101,7 +149,19 @@ ExitCode runNavApp(int argc, const char* const* argv)
       [&]
       {
         const Parsed<NavCommand> parsed = parseNavCommand(argc, argv);
-        return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
+        try
+        {
+          return parsed.command ? runCommand(*parsed.command) : parsed.exit_code;
+        }
+        catch (const logs::LogError& e)
+        {
+          tell("input", e.what());
+        }
+        catch (const formats::FormatError& e)
+        {
+          tell("input", e.what());
+        }
+        return ExitCode::unreadable;
       });
 }
 }  // namespace traverse::app

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "referee.h"
 #include "robot_world.h"
 
 #include <traverse/nav_app/closed_loop.h>
@@ -18,49 +19,7 @@ namespace
 {
 using navigation::Conduct;
 
-constexpr double kMoves_mps = 0.05;
-constexpr double kStands_mps = 0.02;
 constexpr uint64_t kPoseNoise = 77;
-
-double goesAt(const simulation::VehicleState& vehicle)
-{
-  return std::abs(vehicle.twist.speed_mps);
-}
-
-/** Counts what happens between one record and the next. */
-class Referee
-{
- public:
-  explicit Referee(DriveResult& result) : result_(result) {}
-
-  void judge(const DriveRecord& now)
-  {
-    const double speed = goesAt(now.vehicle);
-    result_.min_clearance_m = std::min(result_.min_clearance_m, now.clearance_m);
-    if (now.clearance_m < 0 && !touches_)
-    {
-      ++(speed > kStands_mps ? result_.collisions : result_.struck_standing);
-    }
-    touches_ = now.clearance_m < 0;
-    if (moves_ && speed < kStands_mps)
-    {
-      ++result_.stops;
-    }
-    moves_ = speed > kMoves_mps || (moves_ && speed >= kStands_mps);
-    result_.slips += now.vehicle.slips && !slips_ ? 1 : 0;
-    slips_ = now.vehicle.slips;
-    if (!result_.records.empty())
-    {
-      result_.way_m += geometry::distance_m(result_.records.back().vehicle.pose, now.vehicle.pose);
-    }
-  }
-
- private:
-  DriveResult& result_;
-  bool touches_ = false;
-  bool moves_ = false;
-  bool slips_ = false;
-};
 
 /** Hands what the lidars saw to pose feed and pilot. */
 void sense(RobotWorld& world, PoseFeed& poses, Pilot& pilot)

@@ -16,7 +16,8 @@ constexpr const char* kFooter =
     "(trajectory.tum, drive.csv), decisions.csv, the maps, and .reactivenavlog for MRPT's "
     "navlog-viewer.\n"
     "Exit codes: 0 done (also where the goal was not reached: metrics.json says so), 1 internal or "
-    "output\ncannot be written, 2 usage, 3 configuration, 130/143 interrupted.";
+    "output\ncannot be written, 2 usage, 3 configuration, 4 the log cannot be used, 5 the log is "
+    "damaged (what came\nbefore is there), 130/143 interrupted.";
 
 RunOptionTexts texts()
 {
@@ -32,8 +33,15 @@ RunOptionTexts texts()
 Parsed<NavCommand> parseNavCommand(int argc, const char* const* argv)
 {
   NavCommand command;
-  CLI::App cli("Drives a simulated vehicle by the maps of an ini.", "traverse-nav");
+  CLI::App cli(
+      "Drives a simulated vehicle by the maps of an ini, or says what it would have commanded one "
+      "that recorded a log.",
+      "traverse-nav");
   declare(cli, texts(), command);
+  cli.add_option(
+         "--replay", command.replay,
+         "a recorded log: what would have been commanded (by [Poses], [Sensors]; no scene)")
+      ->type_name("LOG");
   cli.add_option_function<std::string>(
          "--why",
          [&](const std::string& text)

@@ -12,6 +12,7 @@ namespace traverse::app
 {
 struct NavCommand : RunOptions
 {
+  std::filesystem::path replay;              //!< a log; empty: the closed loop
   std::optional<std::array<double, 2>> why;  //!< a place: what do its costs consist of in the end?
 };
 

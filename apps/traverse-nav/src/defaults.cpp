@@ -33,6 +33,9 @@ std::string navDefaultsText()
          section("How fast it is driven.", "Speed", settings.speed) +
          section("MRPT's reactive navigator.", "Reactive", settings.reactive) +
          section("What the last command is held against.", "Guard", settings.guard) +
-         section("When the vehicle stops.", "Watchdogs", settings.watchdogs);
+         section("When the vehicle stops.", "Watchdogs", settings.watchdogs) +
+         section("Replay: where poses come from.", "Poses", settings.poses) +
+         section("Replay: how the log's observations are read.", "Sensors", settings.sensors) +
+         section("Replay: what reading the log may use.", "Log", settings.log);
 }
 }  // namespace traverse::app

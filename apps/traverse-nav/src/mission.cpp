@@ -40,6 +40,10 @@ std::vector<navigation::Goal> goalsOf(
 
 Mission readMission(const NavSettings& settings, uint64_t seed)
 {
+  if (settings.scene.empty())
+  {
+    throw ConfigError("[traverse-nav] scene: say which world to drive in");
+  }
   const auto ini = config::IniDocument::fromFile(settings.scene);
   const simulation::SceneParams fixed = simulating::readScene(ini);
   try

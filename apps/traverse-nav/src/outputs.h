@@ -6,26 +6,17 @@
 #include <traverse/formats/output_folder.h>
 #include <traverse/nav_app/closed_loop.h>
 
-#include <cstdint>
-#include <string>
+#include <vector>
 
 namespace traverse::app
 {
-/** What a drive measured, as metrics.json has it. */
-Json metricsOf(
-    const NavSettings& settings,
-    const Pilot& pilot,
-    const DriveResult& result,
-    double optimum_m,
-    uint64_t seed);
-
 /** trajectory.tum, drive.csv, decisions.csv, costs.png, report.html, metrics.json. Throws
  * formats::FileError. */
 void writeDrive(
     formats::OutputFolder& folder,
     const NavSettings& settings,
     const Pilot& pilot,
-    const Mission& mission,
+    const std::vector<navigation::Goal>& goals,
     const DriveResult& result,
     const Json& metrics);
 }  // namespace traverse::app

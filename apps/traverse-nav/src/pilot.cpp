@@ -106,6 +106,12 @@ void Pilot::goTo(const navigation::Goal& goal)
   follower_.follow({}, {});
 }
 
+void Pilot::startOver(const navigation::Goal& goal)
+{
+  goTo(goal);
+  supervisor_.startOver();
+}
+
 void Pilot::take(const points::Scan& scan, const poses::PoseTrack& track)
 {
   latencies_.time(
@@ -260,7 +266,7 @@ PilotStep Pilot::decide(
   reactive::Senses senses{now, pose, motion, {}, limit.speed_mps};
   senses.obstacles =
       navigation::obstaclePoints(costmap_, pose, settings_.reactive.reference_distance_m + 1);
-  const reactive::Command command = follower_.step(senses);
+  const reactive::Command command = follower_.step(senses, guard_);
   navigation::Situation situation;
   situation.now = now;
   situation.last_scan = last_scan_;

@@ -4,7 +4,6 @@
 
 #include <traverse/formats/report.h>
 #include <traverse/nav_app/picture.h>
-#include <traverse/simulation/lidar.h>
 
 #include <cmath>
 #include <fmt/format.h>
@@ -21,26 +20,66 @@ std::string seconds(double s)
   return fmt::format("{:.1f} s", s);
 }
 
-Section outcome(const DriveResult& result, const Json& metrics, const std::string& picture)
+std::string shown(const Json& value, const char* unit)
 {
-  formats::KeyFigures figures;
-  figures.figures = {
-      {"reached", result.reached ? "yes" : "no"},
-      {"collisions", std::to_string(result.collisions)},
-      {"nearest to anything", fmt::format("{:.2f} m", result.min_clearance_m)},
-      {"time", seconds(result.time_s)},
-      {"way", fmt::format("{:.1f} m", result.way_m)},
-      {"stops", std::to_string(result.stops)}};
-  if (metrics["time_over_optimum"].is_number())
+  if (value.is_boolean())
   {
-    figures.figures.push_back(
-        {"time over shortest way at full speed",
-         fmt::format("{:.2f}", metrics["time_over_optimum"].get<double>())});
+    return value.get<bool>() ? "yes" : "no";
   }
-  Section section{"Drive", {figures}};
-  if (!result.reached)
+  const std::string number =
+      value.is_number_float() ? fmt::format("{:.2f}", value.get<double>()) : value.dump();
+  return *unit == '\0' ? number : number + " " + unit;
+}
+
+/** Those of the figures that the metrics have. */
+formats::KeyFigures keyFigures(const Json& metrics)
+{
+  struct Figure
   {
-    section.blocks.emplace_back(formats::Notice{"The last goal was not reached: " + result.end});
+    const char* path;
+    const char* label;
+    const char* unit;
+  };
+
+  constexpr Figure kFigures[] = {
+      {"/reached", "reached", ""},
+      {"/collisions", "collisions", ""},
+      {"/conduct/drive", "share of the time that it would drive", ""},
+      {"/driven_into_obstacles", "driven into what the maps call obstacles", "times"},
+      {"/min_clearance_m", "nearest to anything", "m"},
+      {"/time_s", "time", "s"},
+      {"/way_m", "way", "m"},
+      {"/stops", "stops", ""},
+      {"/time_over_optimum", "time over shortest way at full speed", ""},
+      {"/both_move/driven_mean_mps", "mean speed as driven", "m/s"},
+      {"/both_move/commanded_mean_mps", "mean speed as commanded", "m/s"},
+      {"/scans_without_pose", "scans without a pose", ""}};
+  formats::KeyFigures figures;
+  for (const Figure& figure : kFigures)
+  {
+    const Json::json_pointer at(figure.path);
+    if (metrics.contains(at) && !metrics[at].is_null())
+    {
+      figures.figures.push_back({figure.label, shown(metrics[at], figure.unit)});
+    }
+  }
+  return figures;
+}
+
+Section outcome(const Json& metrics, const std::string& picture)
+{
+  Section section{"Drive", {keyFigures(metrics)}};
+  const std::string end = metrics["end"].get<std::string>();
+  if (metrics.contains("reached") && !metrics["reached"].get<bool>())
+  {
+    section.blocks.emplace_back(formats::Notice{"The last goal was not reached: " + end});
+  }
+  if (metrics.contains("problem"))
+  {
+    const Json& problem = metrics["problem"];
+    section.blocks.emplace_back(formats::Notice{
+        "A replay of a recorded log: no command had an effect. It ended at " + end +
+        (problem.is_null() ? "." : ": " + problem.get<std::string>())});
   }
   if (!picture.empty())
   {
@@ -73,13 +112,13 @@ Section motion(const DriveResult& result)
        formats::histogramOf(clearances, 24, "Clearance of the outline", "m"), reasons}};
 }
 
-Section decisions(const Pilot& pilot)
+Section decisions(const Pilot& pilot, poses::TimeNs start)
 {
   formats::Table table{"Stops, recoveries and their reasons", {"at", "conduct", "cause", ""}, {}};
   for (const navigation::Decision& decision : pilot.decisions())
   {
     table.rows.push_back(
-        {seconds(poses::secondsBetween(simulation::kRecordingStart, decision.time)),
+        {seconds(poses::secondsBetween(start, decision.time)),
          std::string(nameOf(decision.conduct)), std::string(nameOf(decision.cause)),
          decision.text});
   }
@@ -114,10 +153,13 @@ std::string reportPage(
 {
   formats::Report report;
   report.title = settings.run.title;
-  report.subtitle = fmt::format(
-      "{}, seed {}", settings.scene.filename().string(), metrics["seed"].get<uint64_t>());
+  report.subtitle = metrics.contains("log")
+                        ? "replay of " + metrics["log"].get<std::string>()
+                        : fmt::format(
+                              "{}, seed {}", metrics["scene"].get<std::string>(),
+                              metrics["seed"].get<uint64_t>());
   report.sections = {
-      outcome(result, metrics, picture), motion(result), decisions(pilot), latencies(pilot)};
+      outcome(metrics, picture), motion(result), decisions(pilot, result.start), latencies(pilot)};
   report.footer = "traverse-nav " TRAVERSE_VERSION;
   return formats::html(report);
 }

@@ -15,9 +15,9 @@ using config::ConfigError;
 /** [Lidar_NN] as many as there are; [Drive] and [Ins] would do nothing. */
 std::vector<std::string> ownSections(const NavSettings& settings)
 {
-  std::vector<std::string> own = {"traverse-nav", "Vehicle",  "Drivetrain", "Odometry",
-                                  "Costmap",      "Planner",  "Speed",      "Guard",
-                                  "Watchdogs",    "Reactive", "Maps"};
+  std::vector<std::string> own = {"traverse-nav", "Vehicle", "Drivetrain", "Odometry",  "Costmap",
+                                  "Planner",      "Speed",   "Guard",      "Watchdogs", "Reactive",
+                                  "Poses",        "Sensors", "Log",        "Maps"};
   for (size_t i = 0; i < settings.robot.lidars.size(); ++i)
   {
     own.push_back(simulation::numberedSection("Lidar_", i));
@@ -32,10 +32,6 @@ void checkTogether(const NavSettings& settings)
   if (settings.run.goal_xs_m.size() != settings.run.goal_ys_m.size())
   {
     throw ConfigError("[traverse-nav] goal_xs_m and goal_ys_m need as many numbers");
-  }
-  if (settings.run.scene.empty())
-  {
-    throw ConfigError("[traverse-nav] scene: say which world to drive in");
   }
 }
 }  // namespace
@@ -53,6 +49,11 @@ NavSettings readNavSettings(
   config::load(settings.ini, "Guard", settings.guard);
   config::load(settings.ini, "Watchdogs", settings.watchdogs);
   config::load(settings.ini, "Reactive", settings.reactive);
+  config::load(settings.ini, "Poses", settings.poses);
+  config::load(settings.ini, "Sensors", settings.sensors);
+  config::load(settings.ini, "Log", settings.log);
+  settings.poses.file = settings.ini.pathOf("Poses", "file", settings.poses.file);
+  settings.poses.times_file = settings.ini.pathOf("Poses", "times_file", settings.poses.times_file);
   settings.robot = simulating::readRecording(settings.ini);
   MapWishes wishes = readWantedMaps(settings.ini);
   checkSections(settings.ini, ownSections(settings), wishes);
@@ -60,7 +61,7 @@ NavSettings readNavSettings(
   settings.warnings = wishes.warnings;
   checkTogether(settings);
   const std::filesystem::path scene = settings.run.scene;
-  settings.scene = scene.is_relative() ? settings.ini.folder() / scene : scene;
+  settings.scene = scene.is_relative() && !scene.empty() ? settings.ini.folder() / scene : scene;
   return settings;
 }
 }  // namespace traverse::app

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/nav_app/way_follower.h>
+#include <traverse/navigation/on_path.h>
+#include <traverse/navigation/track_path.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +17,13 @@ geometry::Drivetrain forwardOnly(geometry::Drivetrain drivetrain)
   return drivetrain;
 }
 
-double squared(const geometry::Pose2& a, const geometry::Pose2& b)
-{
-  const double dx = a.x_m - b.x_m;
-  const double dy = a.y_m - b.y_m;
-  return dx * dx + dy * dy;
-}
+/** So near its end a piece is over. */
+constexpr double kOver_m = 0.06;
+
+/** Slower than this the way's own arcs are as good as blocked, and the reactive layer looks for
+ * others for a while. */
+constexpr double kBlocked_mps = 0.1;
+constexpr double kAround_s = 1;
 }  // namespace
 
 WayFollower::WayFollower(
@@ -44,14 +47,14 @@ reactive::ReactiveDriver& WayFollower::driver()
   return is_backward && backward_ ? *backward_ : forward_;
 }
 
-size_t WayFollower::nearest(const geometry::Pose2& pose) const
+std::span<const navigation::PathPoint> WayFollower::piece() const
 {
-  size_t found = first_;
-  for (size_t i = first_; i <= last_; ++i)
-  {
-    found = squared(path_[i].pose, pose) < squared(path_[found].pose, pose) ? i : found;
-  }
-  return found;
+  return std::span(path_).subspan(first_, last_ - first_ + 1);
+}
+
+navigation::OnPath WayFollower::placeOnPiece(const geometry::Pose2& pose) const
+{
+  return navigation::nearestOn(piece(), {pose.x_m, pose.y_m});
 }
 
 void WayFollower::beginPiece(size_t first, const geometry::Pose2& pose)
@@ -64,7 +67,7 @@ void WayFollower::beginPiece(size_t first, const geometry::Pose2& pose)
     ++last_;
   }
   std::vector<Eigen::Vector2d> places;
-  const double from_m = path_[nearest(pose)].along_m;
+  const double from_m = placeOnPiece(pose).along_m;
   double next_m = params_.reactive.waypoint_spacing_m;
   for (size_t i = first_; i <= last_; ++i)
   {
@@ -98,8 +101,10 @@ navigation::SpeedLimit WayFollower::limitAt(
   {
     return {0, navigation::SpeedReason::end};
   }
+  const navigation::OnPath here = placeOnPiece(pose);
+  const size_t next = here.next == 0 ? 0 : here.next - 1;
   const navigation::Path ahead(
-      path_.begin() + static_cast<std::ptrdiff_t>(nearest(pose)), path_.end());
+      path_.begin() + static_cast<std::ptrdiff_t>(first_ + next), path_.end());
   const auto limits = navigation::speedProfile(
       ahead, costmap, params_.drivetrain, std::abs(motion.speed_mps), params_.speed);
   // the first point's is what it has or must brake to, the second's what it may come to
@@ -107,8 +112,48 @@ navigation::SpeedLimit WayFollower::limitAt(
   return limits[may_grow ? 1 : 0];
 }
 
-reactive::Command WayFollower::step(const reactive::Senses& senses)
+void WayFollower::goOn(const geometry::Pose2& pose)
 {
+  const bool has_next = last_ + 1 < path_.size();
+  if (has_next && path_[last_].along_m - placeOnPiece(pose).along_m < kOver_m)
+  {
+    beginPiece(last_, pose);
+  }
+}
+
+std::optional<geometry::Twist2> WayFollower::alongWay(
+    const reactive::Senses& senses, const navigation::MotionGuard& guard)
+{
+  const bool is_car = params_.drivetrain.steering == geometry::Steering::ackermann;
+  if (!is_car || path_.size() < 2 || senses.now < around_until_)
+  {
+    return std::nullopt;
+  }
+  const auto along =
+      navigation::trackPath(piece(), senses.pose, senses.speed_limit_mps, params_.drivetrain);
+  if (along)
+  {
+    const geometry::Twist2 passed = guard.guarded(*along, senses.motion, senses.obstacles);
+    if (std::abs(passed.speed_mps) >= std::min(kBlocked_mps, senses.speed_limit_mps))
+    {
+      return along;
+    }
+  }
+  around_until_ = poses::later(senses.now, kAround_s);
+  return std::nullopt;
+}
+
+reactive::Command WayFollower::step(
+    const reactive::Senses& senses, const navigation::MotionGuard& guard)
+{
+  if (path_.size() > 1)
+  {
+    goOn(senses.pose);
+  }
+  if (const auto along = alongWay(senses, guard))
+  {
+    return {*along, reactive::Outcome::driving, ""};
+  }
   const reactive::Command command = driver().step(senses);
   const bool is_piece_over = command.outcome == reactive::Outcome::arrived;
   if (is_piece_over && last_ + 1 < path_.size())

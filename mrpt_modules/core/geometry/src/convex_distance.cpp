@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "convex_distance.h"
+#include <traverse/geometry/convex_distance.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace traverse::simulation
+namespace traverse::geometry
 {
 namespace
 {
@@ -93,4 +93,4 @@ Round roundOf(const Outline& outline)
   }
   return round;
 }
-}  // namespace traverse::simulation
+}  // namespace traverse::geometry

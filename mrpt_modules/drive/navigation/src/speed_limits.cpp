@@ -148,6 +148,37 @@ void limitByCells(
     }
   }
 }
+
+/** A car's wheels turn from one arc's curvature to the next one's on so much of the way, half of it
+ * before the place where the arcs meet. */
+void limitBySteering(
+    const Path& path, const Drivetrain& drivetrain, std::vector<SpeedLimit>& limits)
+{
+  const double way_m = 0.8 * drivetrain.wheelbase_m;
+  const auto steer_rad = [&](double curvature_1pm)
+  { return geometry::angleOf(curvature_1pm * drivetrain.wheelbase_m, 1); };
+  for (size_t i = 1; i < path.size(); ++i)
+  {
+    const double change_rad =
+        std::abs(steer_rad(path[i].curvature_1pm) - steer_rad(path[i - 1].curvature_1pm));
+    const double most_mps =
+        way_m * drivetrain.max_steer_rate_degps * geometry::kPi / 180 / change_rad;
+    if (most_mps >= limits[i].speed_mps)
+    {
+      continue;
+    }
+    const double before_m = path[i].along_m - way_m / 2;
+    const double after_m = path[i].along_m + way_m / 2;
+    for (size_t j = i; j-- > 0 && path[j].along_m >= before_m;)
+    {
+      lower(limits[j], most_mps, SpeedReason::curve);
+    }
+    for (size_t j = i; j < path.size() && path[j].along_m <= after_m; ++j)
+    {
+      lower(limits[j], most_mps, SpeedReason::curve);
+    }
+  }
+}
 }  // namespace
 
 Grip gripOf(const Drivetrain& drivetrain, const SpeedParams& params)
@@ -169,6 +200,10 @@ std::vector<SpeedLimit> limitsByPlace(
     limits[i].speed_mps =
         path[i].is_backward ? drivetrain.max_reverse_mps : drivetrain.max_speed_mps;
     lower(limits[i], curveSpeed(curvatureAt(path, i), drivetrain, grip), SpeedReason::curve);
+  }
+  if (drivetrain.steering == geometry::Steering::ackermann)
+  {
+    limitBySteering(path, drivetrain, limits);
   }
   limitByUnknown(path, costmap, grip, params, limits);
   limitByCells(path, costmap, params, limits);

@@ -59,6 +59,13 @@ void Supervisor::nextGoal()
   }
 }
 
+void Supervisor::startOver()
+{
+  forgetWaiting();
+  final_.reset();
+  recoveries_ = 0;
+}
+
 void Supervisor::forgetWaiting()
 {
   hindered_since_.reset();

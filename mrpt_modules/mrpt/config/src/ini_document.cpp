@@ -219,6 +219,15 @@ const Entry* IniDocument::find(std::string_view section, std::string_view key) c
   return found == entries_.end() ? nullptr : &*found;
 }
 
+std::string IniDocument::pathOf(
+    std::string_view section, std::string_view key, const std::string& name) const
+{
+  const Entry* entry = find(section, key);
+  const bool written_in_ini = entry != nullptr && entry->place.rfind("--set", 0) != 0;
+  const bool relative = !name.empty() && std::filesystem::path(name).is_relative();
+  return written_in_ini && relative ? (folder_ / name).string() : name;
+}
+
 std::vector<std::string> IniDocument::sections() const
 {
   std::vector<std::string> all;

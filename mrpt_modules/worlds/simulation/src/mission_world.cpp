@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mission_world.h"
 
-#include "convex_distance.h"
-
+#include <traverse/geometry/convex_distance.h>
 #include <traverse/geometry/exact_trig.h>
+#include <traverse/simulation/footprints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +151,10 @@ bool MissionWorld::isFree(const Stand& stand, double gap_m) const
 {
   const Outline outline = outlineOf(stand);
   const auto near = [&](double gap)
-  { return [&, gap](const Stand& other) { return apart(outline, outlineOf(other)) < gap; }; };
+  {
+    return [&, gap](const Stand& other)
+    { return geometry::apart(outline, outlineOf(other)) < gap; };
+  };
   const SceneExtentParams& e = scene_.extent;
   const bool inside = std::all_of(
       outline.begin(), outline.end(),

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "convex_distance.h"
-
+#include <traverse/geometry/convex_distance.h>
 #include <traverse/geometry/frame2.h>
+#include <traverse/simulation/footprints.h>
 #include <traverse/simulation/surroundings.h>
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace
 struct Bounded
 {
   Outline outline;
-  Round round;
+  geometry::Round round;
 
-  explicit Bounded(Outline given) : outline(std::move(given)), round(roundOf(outline)) {}
+  explicit Bounded(Outline given) : outline(std::move(given)), round(geometry::roundOf(outline)) {}
 };
 
 /** What moves, in its own frame. */
@@ -32,7 +32,7 @@ struct Mover
 /** Middles of cells of a ditch that lie near each other. */
 struct DitchCells
 {
-  Round round;
+  geometry::Round round;
   std::vector<Eigen::Vector2d> middles;
 };
 
@@ -42,7 +42,7 @@ class Search
  public:
   Search(Outline outline, double most_m) : vehicle_(std::move(outline)), nearest_m_(most_m) {}
 
-  bool mayReach(const Round& round) const
+  bool mayReach(const geometry::Round& round) const
   {
     const Eigen::Vector2d d = round.middle - vehicle_.round.middle;
     const double reach = nearest_m_ + round.radius_m + vehicle_.round.radius_m;
@@ -51,12 +51,12 @@ class Search
 
   void meet(const Outline& outline)
   {
-    nearest_m_ = std::min(nearest_m_, apart(vehicle_.outline, outline));
+    nearest_m_ = std::min(nearest_m_, geometry::apart(vehicle_.outline, outline));
   }
 
   void meet(const Eigen::Vector2d& place)
   {
-    nearest_m_ = std::min(nearest_m_, apart(place, vehicle_.outline));
+    nearest_m_ = std::min(nearest_m_, geometry::apart(place, vehicle_.outline));
   }
 
   double nearest_m() const { return nearest_m_; }
@@ -82,7 +82,7 @@ DitchCells ditchIn(const Terrain& terrain, const Eigen::Vector2d& corner, double
       cells.middles.push_back(at);
     }
   }
-  cells.round = cells.middles.empty() ? Round() : roundOf(cells.middles);
+  cells.round = cells.middles.empty() ? geometry::Round() : geometry::roundOf(cells.middles);
   return cells;
 }
 

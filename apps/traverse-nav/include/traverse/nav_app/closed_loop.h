@@ -4,6 +4,7 @@
 
 #include <traverse/nav_app/pilot.h>
 #include <traverse/nav_app/settings.h>
+#include <traverse/simulation/lidar.h>
 #include <traverse/simulation/scene.h>
 #include <traverse/simulation/vehicle_model.h>
 
@@ -47,9 +48,10 @@ struct DriveResult
   double min_clearance_m = 5;
   double time_s = 0;  //!< until it arrived or gave up
   double way_m = 0;
-  uint64_t stops = 0;  //!< on the way
-  uint64_t slips = 0;  //!< times that the wheels lost their grip
-  std::string end;     //!< why it ended, for people
+  uint64_t stops = 0;                                 //!< on the way
+  uint64_t slips = 0;                                 //!< times that the wheels lost their grip
+  poses::TimeNs start = simulation::kRecordingStart;  //!< t = 0
+  std::string end;                                    //!< why it ended, for people
   std::vector<DriveRecord> records;
 };
 

@@ -41,7 +41,11 @@ class Pilot
       const std::filesystem::path& cache,
       const std::filesystem::path& log_folder = {});
 
+  /** The mission's next goal. */
   void goTo(const navigation::Goal& goal);
+
+  /** A goal of another mission, also where the last one was given up. */
+  void startOver(const navigation::Goal& goal);
 
   /** A deskewed scan into all maps. */
   void take(const points::Scan& scan, const poses::PoseTrack& track);

@@ -33,6 +33,7 @@ struct NavParams
   double max_time_s = 300;
   std::vector<double> goal_xs_m;
   std::vector<double> goal_ys_m;
+  double goal_every_m = 30;
   double frames_every_s = 0;
 
   friend bool operator==(const NavParams&, const NavParams&) = default;
@@ -63,6 +64,12 @@ void visit(P& p, F&& f)
           {-1e5, 1e5}},
       p.goal_xs_m);
   f(Option{"goal_ys_m", "the same places' y, m", {-1e5, 1e5}}, p.goal_ys_m);
+  f(
+      Option{
+          "goal_every_m",
+          "replay: places of the recorded way to go to, where there are no goal_xs_m, m",
+          {2, 10000}},
+      p.goal_every_m);
   f(
       Option{
           "frames_every_s",

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <traverse/geometry/drivetrain.h>
+#include <traverse/navigation/motion_guard.h>
+#include <traverse/navigation/on_path.h>
 #include <traverse/navigation/path.h>
 #include <traverse/navigation/speed_profile.h>
 #include <traverse/reactive/reactive_driver.h>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <span>
 
 namespace traverse::app
 {
@@ -24,7 +28,9 @@ struct FollowerParams
 /** Follows a path piece by piece, from one change between forward and backward to the next, with
  * MRPT's reactive navigator. Forward pieces are driven by trajectories that lead forward only:
  * with others at hand it would drive backward for minutes, blind, where that is a little shorter.
- * A car-like vehicle has a second navigator for backward pieces. */
+ * A car-like vehicle has a second navigator for backward pieces; and as long as nothing stands on
+ * the arcs of its path it drives these (trackPath()), for a reactive navigator cuts the corners
+ * that were planned for a vehicle that cannot turn on the spot. */
 class WayFollower
 {
  public:
@@ -43,11 +49,15 @@ class WayFollower
       const geometry::Twist2& motion,
       const navigation::Costmap& costmap) const;
 
-  reactive::Command step(const reactive::Senses& senses);
+  reactive::Command step(const reactive::Senses& senses, const navigation::MotionGuard& guard);
 
  private:
   reactive::ReactiveDriver& driver();
-  size_t nearest(const geometry::Pose2& pose) const;
+  std::span<const navigation::PathPoint> piece() const;
+  navigation::OnPath placeOnPiece(const geometry::Pose2& pose) const;
+  void goOn(const geometry::Pose2& pose);
+  std::optional<geometry::Twist2> alongWay(
+      const reactive::Senses& senses, const navigation::MotionGuard& guard);
   void beginPiece(size_t first, const geometry::Pose2& pose);
 
   FollowerParams params_;
@@ -56,5 +66,6 @@ class WayFollower
   navigation::Path path_;
   size_t first_ = 0;  // of the piece
   size_t last_ = 0;   // where it ends, and the next one begins
+  poses::TimeNs around_until_ = 0;
 };
 }  // namespace traverse::app

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <traverse/simulation/footprints.h>
+#include <traverse/geometry/outline.h>
 
-namespace traverse::simulation
+namespace traverse::geometry
 {
 /** Distance between two convex outlines (counter-clockwise, three corners or more), m; negative:
  * the shortest move that parts them. */
@@ -21,4 +21,4 @@ struct Round
 };
 
 Round roundOf(const Outline& outline);
-}  // namespace traverse::simulation
+}  // namespace traverse::geometry

@@ -51,7 +51,7 @@ void visit(P& p, F&& f)
 enum class SpeedReason : uint8_t
 {
   vehicle,    //!< its highest speed, or its acceleration
-  curve,      //!< lateral acceleration, friction, or how fast it turns
+  curve,      //!< lateral acceleration, friction, how fast it turns or a car steers
   ground,     //!< roughness class, by Costmap::speed_mps under the vehicle's middle
   unknown,    //!< it must be able to stop before what no map has seen
   end,        //!< it must stop at the path's end, or where it turns round

@@ -120,7 +120,7 @@ struct Decision
  *                                      back off from a goal in an obstacle
  *   it drives, and gets nowhere        backs off; likewise
  *
- * Turning by kTurned_rad is getting somewhere. Giving up is final. */
+ * Turning by kTurned_rad is getting somewhere. Giving up is final, until startOver(). */
 class Supervisor
 {
  public:
@@ -136,6 +136,9 @@ class Supervisor
 
   /** The mission's next goal: what was waited for is forgotten, recoveries are not. */
   void nextGoal();
+
+  /** Another mission: all but the log and the last pose is forgotten. */
+  void startOver();
 
   int recoveries() const { return recoveries_; }
 

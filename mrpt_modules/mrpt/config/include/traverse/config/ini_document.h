@@ -65,6 +65,10 @@ class IniDocument
   /** The whole document, overrides included, as plain ini text for MRPT's own readers. */
   std::string text() const;
 
+  /** The file that a key names: a relative name that stands in the ini starts at its folder, one
+   * that set() brought at the working folder. An empty name stays empty. */
+  std::string pathOf(std::string_view section, std::string_view key, const std::string& name) const;
+
   /** Relative file names in the ini are relative to this folder. */
   const std::filesystem::path& folder() const { return folder_; }
 
