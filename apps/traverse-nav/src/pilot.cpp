@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cost_window.h"
+#include "open_near.h"
+
 #include <traverse/geometry/exact_trig.h>
 #include <traverse/nav_app/pilot.h>
 #include <traverse/navigation/cost_rules.h>
+#include <traverse/navigation/lead_in.h>
 #include <traverse/navigation/obstacle_points.h>
 
 #include <algorithm>
@@ -23,58 +27,6 @@ constexpr double kBackOff_mps = 0.2;
 geometry::Pose2 placeOf(const navigation::Goal& goal)
 {
   return {goal.x_m, goal.y_m, 0};
-}
-
-/** The window of the costmap around the vehicle, in whole cells. */
-geometry::CellRect around(
-    const geometry::Pose2& pose, const geometry::Lattice& lattice, double window_m)
-{
-  const auto half = static_cast<int32_t>(std::ceil(window_m / lattice.cell_m() / 2));
-  const geometry::CellIndex middle =
-      lattice.cellOf(geometry::toMillimetres(pose.x_m), geometry::toMillimetres(pose.y_m));
-  return {{middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}};
-}
-
-/** The window in a map's own cells, all that touch it. */
-geometry::CellRect windowOf(
-    const geometry::CellRect& extent, const geometry::Lattice& from, const geometry::Lattice& to)
-{
-  const auto first = [&](int32_t cell)
-  { return static_cast<int32_t>(geometry::floorDiv(int64_t{cell} * from.cell_mm, to.cell_mm)); };
-  const auto end = [&](int32_t cell)
-  { return static_cast<int32_t>(-geometry::floorDiv(-int64_t{cell} * from.cell_mm, to.cell_mm)); };
-  return {{first(extent.min.x), first(extent.min.y)}, {end(extent.max.x), end(extent.max.y)}};
-}
-
-/** From far off a goal may look blocked that is not: the open place next to it, to look from there.
- */
-std::optional<navigation::Goal> openNear(
-    const navigation::Costmap& costmap, const navigation::Goal& goal)
-{
-  constexpr int32_t kReach_m = 4;
-  const geometry::CellIndex middle = costmap.cellAt(goal.x_m, goal.y_m);
-  const auto reach = static_cast<int32_t>(kReach_m / costmap.lattice.cell_m());
-  std::optional<geometry::CellIndex> best;
-  int32_t best_squared = reach * reach + 1;
-  for (int32_t dy = -reach; dy <= reach; ++dy)
-  {
-    for (int32_t dx = -reach; dx <= reach; ++dx)
-    {
-      const geometry::CellIndex cell = {middle.x + dx, middle.y + dy};
-      const int32_t squared = dx * dx + dy * dy;
-      if (squared < best_squared && costmap.passageAt(cell) == Passage::open)
-      {
-        best = cell;
-        best_squared = squared;
-      }
-    }
-  }
-  if (!best)
-  {
-    return std::nullopt;
-  }
-  return navigation::Goal{
-      costmap.lattice.centre_m(best->x), costmap.lattice.centre_m(best->y), std::nullopt};
 }
 }  // namespace
 
@@ -181,7 +133,7 @@ void Pilot::lookAtMaps(poses::TimeNs now, const geometry::Pose2& pose)
       });
 }
 
-void Pilot::keepWay(poses::TimeNs now, const geometry::Pose2& pose)
+void Pilot::keepWay(poses::TimeNs now, const geometry::Pose2& pose, const geometry::Twist2& motion)
 {
   if (!goal_ || costmap_.size() == 0)
   {
@@ -199,8 +151,24 @@ void Pilot::keepWay(poses::TimeNs now, const geometry::Pose2& pose)
   }
   last_plan_ = now;
   ++plans_[static_cast<size_t>(reason)];
-  plan_ = latencies_.time(Stage::plan, [&] { return planToGoal(pose); });
+  plan_ = latencies_.time(Stage::plan, [&] { return planOnwards(pose, motion); });
   follower_.follow(plan_.path, pose);
+}
+
+navigation::Plan Pilot::planOnwards(const geometry::Pose2& pose, const geometry::Twist2& motion)
+{
+  if (settings_.drivetrain.steering == geometry::Steering::ackermann)
+  {
+    const navigation::Path lead = navigation::leadIn(pose, motion);
+    navigation::Plan plan = lead.empty() ? navigation::Plan() : planToGoal(lead.back().pose);
+    if (!plan.path.empty())
+    {
+      plan.path = navigation::joined(lead, plan.path);
+      plan.way_out_m += plan.way_out_m > 0 ? lead.back().along_m : 0;
+      return plan;
+    }
+  }
+  return planToGoal(pose);
 }
 
 navigation::Plan Pilot::planToGoal(const geometry::Pose2& pose)
@@ -238,6 +206,21 @@ geometry::Twist2 Pilot::backOff(
   return guard_.guarded(back, motion, obstacles);
 }
 
+void Pilot::heedStanding(const reactive::Senses& senses, const geometry::Twist2& command)
+{
+  constexpr double kStands_mps = 0.02;
+  constexpr double kPatience_s = 1;
+  const bool stands = plan_.heeds_footprint && std::abs(command.speed_mps) < kStands_mps &&
+                      std::abs(senses.motion.speed_mps) < kStands_mps;
+  standing_since_ = stands ? standing_since_.value_or(senses.now) : std::optional<poses::TimeNs>();
+  if (stands && secondsBetween(*standing_since_, senses.now) >= kPatience_s)
+  {
+    standing_since_.reset();
+    plan_ = {};
+    follower_.follow({}, senses.pose);
+  }
+}
+
 PilotStep Pilot::step(
     poses::TimeNs now,
     poses::TimeNs measured,
@@ -250,7 +233,7 @@ PilotStep Pilot::step(
       [&]
       {
         lookAtMaps(now, pose);
-        keepWay(now, pose);
+        keepWay(now, pose, motion);
         return latencies_.time(
             Stage::reactive, [&] { return decide(now, measured, pose, motion); });
       });
@@ -293,6 +276,7 @@ PilotStep Pilot::decide(
     plan_ = {};
     follower_.follow({}, pose);
   }
+  heedStanding(senses, result.command);
   return result;
 }
 }  // namespace traverse::app

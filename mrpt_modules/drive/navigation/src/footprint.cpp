@@ -8,9 +8,28 @@
 
 namespace traverse::navigation
 {
-Footprint::Footprint(const geometry::Vehicle& vehicle)
+namespace
 {
-  const geometry::Outline corners = geometry::footprintOf(vehicle);
+/** An outline's corners, moved by a margin to all four sides: those of its sum with a square. */
+geometry::Outline widened(const geometry::Outline& outline, double margin_m)
+{
+  geometry::Outline corners;
+  for (const Eigen::Vector2d& p : outline)
+  {
+    for (const double dx : {-margin_m, margin_m})
+    {
+      corners.emplace_back(p.x() + dx, p.y() - margin_m);
+      corners.emplace_back(p.x() + dx, p.y() + margin_m);
+    }
+  }
+  return corners;
+}
+}  // namespace
+
+Footprint::Footprint(const geometry::Vehicle& vehicle, double margin_m)
+{
+  const geometry::Outline outline = geometry::footprintOf(vehicle);
+  const geometry::Outline corners = margin_m > 0 ? widened(outline, margin_m) : outline;
   for (const Eigen::Vector2d& p : corners)
   {
     radius_m_ = std::max(radius_m_, std::sqrt(p.x() * p.x() + p.y() * p.y()));

@@ -63,7 +63,7 @@ double HybridSearch::priceOf(const Posed& from, const Motion& motion, std::span<
       return PriceField::kNever;
     }
     sum += task_.terrain->priceOfLine(last, next.stand.place);
-    if (!(sum < PriceField::kNever) || task_.obstacles->isHit(footprint_, next.stand))
+    if (!(sum < PriceField::kNever) || task_.obstacles->isHit(*task_.footprint, next.stand))
     {
       return PriceField::kNever;
     }

@@ -34,14 +34,10 @@ bool isLater(double total_a, int32_t node_a, double total_b, int32_t node_b)
 }
 }  // namespace
 
-HybridSearch::HybridSearch(
-    const geometry::Vehicle& vehicle,
-    const geometry::Drivetrain& drivetrain,
-    const PlanParams& params) :
+HybridSearch::HybridSearch(const geometry::Drivetrain& drivetrain, const PlanParams& params) :
     params_(params),
     radius_m_(std::max(geometry::minTurningRadius_m(drivetrain), kLeastRadius_m) * kSteerReserve),
     drives_backward_(drivetrain.max_reverse_mps > 0),
-    footprint_(vehicle),
     curves_(radius_m_, drives_backward_)
 {
 }

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "attempts.h"
+#include "known_ends.h"
+
 #include <traverse/navigation/grid_path.h>
 #include <traverse/navigation/hybrid_search.h>
 #include <traverse/navigation/planner.h>
@@ -11,12 +14,6 @@ namespace traverse::navigation
 {
 namespace
 {
-/** Cells beside a strip that are as good: arcs cannot hold a line of single cells. */
-constexpr int32_t kBesideStrip = 2;
-
-/** Where there is no way otherwise: strips through what is seen from within have gaps. */
-constexpr int32_t kBesideBrokenStrip = 5;
-
 constexpr double kStep_m = 0.1;
 
 bool isUsable(Place place)
@@ -63,33 +60,6 @@ std::string hindranceAt(const Costmap& costmap, const Terrain& terrain, size_t i
   }
 }
 
-/** Where the known ends: at the border, and at unknown cells that are not planned through; with
- * what the straight line from there to a place costs. */
-std::vector<PriceField::Seed> endsOfTheKnown(
-    const Costmap& costmap, const Terrain& terrain, Place to)
-{
-  const auto is_beyond = [&](int32_t x, int32_t y)
-  {
-    return !costmap.extent.contains({x, y}) ||
-           (!costmap.is_unknown_planned && costmap.passageAt({x, y}) == Passage::unknown);
-  };
-  const double mean = terrain.mean();
-  std::vector<PriceField::Seed> ends;
-  for (size_t index = 0; index < terrain.size(); ++index)
-  {
-    const auto [x, y] = terrain.cell(index);
-    if (terrain.isOpen(index) &&
-        (is_beyond(x - 1, y) || is_beyond(x + 1, y) || is_beyond(x, y - 1) || is_beyond(x, y + 1)))
-    {
-      const Place place = terrain.centre(index);
-      const double dx = to.x_m - place.x_m;
-      const double dy = to.y_m - place.y_m;
-      ends.push_back({index, std::sqrt(dx * dx + dy * dy) * mean});
-    }
-  }
-  return ends;
-}
-
 bool isHybrid(const PlanParams& params, const geometry::Drivetrain& drivetrain)
 {
   return params.planner == PlannerKind::hybrid ||
@@ -114,8 +84,10 @@ class Planner::Impl
       const PlanParams& params) :
       params_(checked(params)),
       is_hybrid_(isHybrid(params, checked(drivetrain))),
-      footprint_(checked(vehicle)),
-      hybrid_(vehicle, drivetrain, params)
+      attempts_(checked(vehicle), drivetrain, is_hybrid_, params.margin_m > 0),
+      footprint_(vehicle),
+      wide_footprint_(vehicle, params.margin_m),
+      hybrid_(drivetrain, params)
   {
   }
 
@@ -128,16 +100,26 @@ class Planner::Impl
     {
       return none("start or goal is no place");
     }
-    Plan way = planBeside(costmap, start, goal, is_hybrid_ ? kBesideStrip : 0);
-    const bool may_widen = way.path.empty() && !costmap.strip.empty();
-    return may_widen ? planBeside(costmap, start, goal, kBesideBrokenStrip) : way;
+    Plan way;
+    for (const Attempt& attempt : attempts_.in(costmap))
+    {
+      way = planBy(attempt, costmap, start, goal);
+      if (!way.path.empty())
+      {
+        break;
+      }
+    }
+    return way;
   }
 
  private:
-  /** Soft cells so near to strips are open. */
-  Plan planBeside(
-      const Costmap& costmap, const geometry::Pose2& start, const Goal& goal, int32_t beside_strip)
+  Plan planBy(
+      const Attempt& attempt,
+      const Costmap& costmap,
+      const geometry::Pose2& start,
+      const Goal& goal)
   {
+    attempt_ = attempt;
     const Place from = {start.x_m, start.y_m};
     const Place to = {goal.x_m, goal.y_m};
     terrain_.set(costmap);
@@ -145,7 +127,7 @@ class Planner::Impl
     {
       return none("the vehicle is outside the costmap");
     }
-    terrain_.openBesideStrips(costmap, beside_strip);
+    terrain_.openBesideStrips(costmap, attempt.beside_strip, attempt.room);
     terrain_.openWayOut(costmap, cellOf(from, terrain_.lattice()), footprint_.radius_m());
     const bool is_within = terrain_.covers(to) &&
                            (costmap.is_unknown_planned ||
@@ -220,8 +202,9 @@ class Planner::Impl
   Plan byArcs(
       const Costmap& costmap, const geometry::Pose2& start, const Goal& goal, double loose_m)
   {
-    obstacles_.set(costmap, footprint_.cells(standAt(start), costmap.lattice));
-    if (loose_m == 0 && !fitsAt(goal))
+    Footprint& footprint = attempt_.is_wide ? wide_footprint_ : footprint_;
+    obstacles_.set(costmap, footprint.cells(standAt(start), costmap.lattice));
+    if (loose_m == 0 && !fitsAt(goal, footprint))
     {
       return none("the vehicle does not fit where the goal is");
     }
@@ -229,11 +212,13 @@ class Planner::Impl
     task.terrain = &terrain_;
     task.field = &field_;
     task.obstacles = &obstacles_;
+    task.footprint = &footprint;
     task.start = start;
     task.goal = {goal.x_m, goal.y_m};
     task.yaw_rad = goal.yaw_rad;
     task.loose_m = loose_m;
     task.last_resort_m = params_.goal_tolerance_m / 2;
+    task.most_expansions = params_.most_expansions / attempt_.share;
     Plan plan;
     plan.path = hybrid_.search(task);
     if (plan.path.empty())
@@ -251,12 +236,12 @@ class Planner::Impl
     return plan;
   }
 
-  bool fitsAt(const Goal& goal)
+  bool fitsAt(const Goal& goal, Footprint& footprint)
   {
     for (int k = 0; k < (goal.yaw_rad ? 1 : HeadingBins::kHeadings); ++k)
     {
       const double yaw_rad = goal.yaw_rad.value_or(2 * geometry::kPi * k / HeadingBins::kHeadings);
-      if (!obstacles_.isHit(footprint_, standAt({goal.x_m, goal.y_m, yaw_rad})))
+      if (!obstacles_.isHit(footprint, standAt({goal.x_m, goal.y_m, yaw_rad})))
       {
         return true;
       }
@@ -266,7 +251,10 @@ class Planner::Impl
 
   PlanParams params_;
   bool is_hybrid_;
+  Attempts attempts_;
+  Attempt attempt_;
   Footprint footprint_;
+  Footprint wide_footprint_;
   Terrain terrain_;
   PriceField field_;
   ObstacleCounts obstacles_;

@@ -48,6 +48,23 @@ void forNeighbours(CellIndex c, F&& f)
     }
   }
 }
+
+/** In a disc. */
+bool hasHardWithin(const Costmap& costmap, CellIndex c, int32_t reach)
+{
+  const int32_t edge = 2 * reach + 1;
+  for (int32_t i = 0; i < edge * edge; ++i)
+  {
+    const int32_t dx = i % edge - reach;
+    const int32_t dy = i / edge - reach;
+    if (dx * dx + dy * dy <= reach * reach &&
+        costmap.passageAt({c.x + dx, c.y + dy}) >= Passage::hard)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }  // namespace
 
 void Terrain::openSoftAround(const Costmap& costmap, std::vector<CellIndex>& front)
@@ -83,11 +100,16 @@ void Terrain::openSoft(const Costmap& costmap, CellIndex from)
   openSoftAround(costmap, front);
 }
 
-void Terrain::openBesideStrips(const Costmap& costmap, int32_t reach)
+void Terrain::openBesideStrips(const Costmap& costmap, int32_t reach, int32_t room)
 {
   const int32_t edge = 2 * reach + 1;
   for (const CellIndex& c : costmap.strip)
   {
+    if (room > 0 && hasHardWithin(costmap, c, room))
+    {
+      price_[indexOf(c)] = kClosed;
+      continue;
+    }
     for (int32_t i = 0; i < edge * edge; ++i)
     {
       const CellIndex beside = {c.x - reach + i % edge, c.y - reach + i / edge};

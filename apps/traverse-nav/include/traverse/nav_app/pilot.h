@@ -79,9 +79,13 @@ class Pilot
       const geometry::CellRect& extent, const geometry::Lattice& lattice) const;
   std::vector<navigation::MapLayers> named(const std::vector<layers::LayerSet>& sets) const;
   void lookAtMaps(poses::TimeNs now, const geometry::Pose2& pose);
-  void keepWay(poses::TimeNs now, const geometry::Pose2& pose);
+  void keepWay(poses::TimeNs now, const geometry::Pose2& pose, const geometry::Twist2& motion);
+
+  /** Told to drive, and held by the guard for a second, a car needs a way from where it stands. */
+  void heedStanding(const reactive::Senses& senses, const geometry::Twist2& command);
   geometry::Twist2 backOff(
       const geometry::Twist2& motion, std::span<const Eigen::Vector3f> obstacles) const;
+  navigation::Plan planOnwards(const geometry::Pose2& pose, const geometry::Twist2& motion);
   navigation::Plan planToGoal(const geometry::Pose2& pose);
   bool isGoalBlocked() const;
   PilotStep decide(
@@ -104,6 +108,7 @@ class Pilot
   poses::TimeNs last_scan_ = 0;
   poses::TimeNs last_look_ = 0;
   poses::TimeNs last_plan_ = 0;
+  std::optional<poses::TimeNs> standing_since_;
   bool has_news_ = false;
 };
 }  // namespace traverse::app

@@ -32,11 +32,12 @@ struct RowSpan
   int32_t last = 0;
 };
 
-/** Which cells a vehicle touches: the convex hull of its outline. */
+/** Which cells a vehicle touches: the convex hull of its outline, with a margin where one is given
+ * (of a square: at corners it is up to 1.4 times as wide). */
 class Footprint
 {
  public:
-  explicit Footprint(const geometry::Vehicle& vehicle);
+  explicit Footprint(const geometry::Vehicle& vehicle, double margin_m = 0);
 
   /** From the origin to the farthest corner. */
   double radius_m() const { return radius_m_; }

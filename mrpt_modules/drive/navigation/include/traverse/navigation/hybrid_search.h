@@ -19,11 +19,13 @@ struct HybridTask
   const Terrain* terrain = nullptr;
   PriceField* field = nullptr;  //!< from the goal
   const ObstacleCounts* obstacles = nullptr;
+  Footprint* footprint = nullptr;  //!< that keeps off them
   geometry::Pose2 start;
   Place goal;                     //!< of the terrain
   std::optional<double> yaw_rad;  //!< at the goal; nothing: any
   double loose_m = 0;             //!< so far from the goal will do
   double last_resort_m = 0;       //!< will do, if the goal itself cannot be reached
+  int most_expansions = 0;        //!< then it gives up
 };
 
 /** Hybrid A*: over places and headings by arcs that the vehicle can drive (Dolgov, Thrun,
@@ -34,10 +36,7 @@ struct HybridTask
 class HybridSearch
 {
  public:
-  HybridSearch(
-      const geometry::Vehicle& vehicle,
-      const geometry::Drivetrain& drivetrain,
-      const PlanParams& params);
+  HybridSearch(const geometry::Drivetrain& drivetrain, const PlanParams& params);
 
   /** Empty where there is no way, or none was found in time. */
   Path search(const HybridTask& task);
@@ -45,7 +44,7 @@ class HybridSearch
   /** Of the last search. */
   int expansions() const { return expansions_; }
 
-  bool gaveUp() const { return expansions_ >= params_.most_expansions; }
+  bool gaveUp() const { return expansions_ >= task_.most_expansions; }
 
  private:
   struct Node
@@ -95,7 +94,6 @@ class HybridSearch
   PlanParams params_;
   double radius_m_;
   bool drives_backward_;
-  Footprint footprint_;
   Curves curves_;
   HybridTask task_;
   HeadingBins bins_;

@@ -29,6 +29,7 @@ struct PlanParams
   double goal_tolerance_m = 0.5;
   double reverse_price = 3;
   double turn_price = 1;
+  double margin_m = 0.15;
   int most_expansions = 60000;
 
   friend bool operator==(const PlanParams&, const PlanParams&) = default;
@@ -51,6 +52,13 @@ void visit(P& p, F&& f)
       Option{
           "turn_price", "hybrid: changing between forward and backward costs so much, m", {0, 100}},
       p.turn_price);
+  f(
+      Option{
+          "margin_m",
+          "hybrid: its ways keep the outline so far off obstacle cells, m; without where there is "
+          "none",
+          {0, 5}},
+      p.margin_m);
   f(Option{"most_expansions", "hybrid: it gives up after so many", {100, 100000000}},
     p.most_expansions);
 }

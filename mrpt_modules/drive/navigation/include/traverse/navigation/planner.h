@@ -39,16 +39,16 @@ struct Plan
  * shortened wherever the straight line costs no more. For a car-like vehicle the field leads a
  * search over (x, y, heading) with arcs that it can drive (hybrid A*, Dolgov et al. 2010), which
  * tries Reeds-Shepp curves to the goal (OMPL) as it comes near; its footprint is held against
- * obstacle cells along every arc.
+ * obstacle cells along every arc, with PlanParams::margin_m where there is a way so.
  *
  * Obstacle and hard cells are never passed; soft ones, at CostParams::soft_price, where the start
  * or the goal lies in one, to get out or in; up to 2 cells beside strips by car-like vehicles; and
- * up to 5 beside strips where there is no way otherwise (seen from within, they have gaps). A
- * vehicle that stands in hard cells is led away from what they surround, and obstacle cells under
- * it where it stands are no hindrance: noise must not hold it for good. A goal outside the costmap,
- * or in unknown cells that are not planned through, is replaced by the cell of the border, or
- * beside such unknown cells, from which the way there plus the straight line beyond is cheapest
- * (is_whole = false). */
+ * up to 5 beside strips where there is no way otherwise (seen from within, they have gaps). Cars
+ * try without strips that are narrower than their front swings out first. A vehicle that stands in
+ * hard cells is led away from what they surround, and obstacle cells under it where it stands are
+ * no hindrance: noise must not hold it for good. A goal outside the costmap, or in unknown cells
+ * that are not planned through, is replaced by the cell of the border, or beside such unknown
+ * cells, from which the way there plus the straight line beyond is cheapest (is_whole = false). */
 class Planner
 {
  public:

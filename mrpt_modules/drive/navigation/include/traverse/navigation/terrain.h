@@ -32,8 +32,9 @@ class Terrain
   /** Opens the soft cells that hang together with this one, if it is soft. */
   void openSoft(const Costmap& costmap, geometry::CellIndex from);
 
-  /** Opens soft cells up to so many cells beside strips. */
-  void openBesideStrips(const Costmap& costmap, int32_t reach);
+  /** Opens soft cells up to so many cells beside strips; strips with a hard cell within `room`
+   * cells are closed. */
+  void openBesideStrips(const Costmap& costmap, int32_t reach, int32_t room = 0);
 
   /** Opens what leads out of the hard buffer, where the vehicle stands in one or, by noise, in an
    * obstacle: hard cells, and obstacle cells within `radius_m` of it, each no nearer to an obstacle
