@@ -21,13 +21,6 @@ geometry::Pose2 rolled(const geometry::Pose2& from, const geometry::Twist2& whee
   const geometry::SinCos chord = geometry::sinCosOfAny(from.yaw_rad + turn_rad / 2);
   return {from.x_m + way_m * chord.cos, from.y_m + way_m * chord.sin, from.yaw_rad + turn_rad};
 }
-
-registration::Params matcherParams()
-{
-  registration::Params params;
-  params.max_range_m = 60;
-  return params;
-}
 }  // namespace
 
 PoseFeed::PoseFeed(
@@ -37,18 +30,13 @@ PoseFeed::PoseFeed(
     uint64_t seed) :
     source_(source),
     odometry_(odometry, seed),
-    T_map_start_(start.T_map_base),
-    matcher_(matcherParams()),
+    moved_{start},
+    matcher_({}, source == NavPoses::exact ? Eigen::Isometry3d::Identity() : start.T_map_base),
     measured_(start.time)
 {
-  if (source == NavPoses::exact)
+  if (source != NavPoses::exact)
   {
-    moved_.push_back(start);
-  }
-  else
-  {
-    T_map_odom_ = start.T_map_base;
-    moved_.push_back({start.time, Eigen::Isometry3d::Identity()});
+    moved_.front().T_map_base.setIdentity();
   }
 }
 
@@ -83,17 +71,8 @@ void PoseFeed::see(const points::ScanBuffer& scan)
   {
     return;
   }
-  const registration::Matched matched = matcher_.take(scan);
-  const auto odometry = poses::PoseTrack(moved_).at(scan.stamp);
-  if (matched.verdict == registration::Verdict::waiting)
-  {
-    measured_ = scan.stamp;
-  }
-  if (matched.verdict == registration::Verdict::tracked && odometry)
-  {
-    T_map_odom_ = T_map_start_ * matched.T_map_base * odometry->T_map_base.inverse();
-    measured_ = scan.stamp;
-  }
+  matcher_.take(scan, poses::PoseTrack(moved_));
+  measured_ = matcher_.reliedOn().value_or(measured_);
 }
 
 poses::PoseTrack PoseFeed::track() const
@@ -101,13 +80,13 @@ poses::PoseTrack PoseFeed::track() const
   std::vector<poses::StampedPose> placed = moved_;
   for (poses::StampedPose& pose : placed)
   {
-    pose.T_map_base = T_map_odom_ * pose.T_map_base;
+    pose.T_map_base = matcher_.T_map_odom() * pose.T_map_base;
   }
   return poses::PoseTrack(std::move(placed));
 }
 
 geometry::Pose2 PoseFeed::pose() const
 {
-  return poses::seenFromAbove(T_map_odom_ * moved_.back().T_map_base);
+  return poses::seenFromAbove(matcher_.T_map_odom() * moved_.back().T_map_base);
 }
 }  // namespace traverse::app

@@ -5,7 +5,7 @@
 #include <traverse/nav_app/run_params.h>
 #include <traverse/points/scan.h>
 #include <traverse/poses/pose_track.h>
-#include <traverse/registration/scan_to_map.h>
+#include <traverse/registration/odometry_to_map.h>
 #include <traverse/simulation/pose_sensors.h>
 #include <traverse/simulation/vehicle_model.h>
 
@@ -37,7 +37,8 @@ class PoseFeed
 
   geometry::Pose2 pose() const;
 
-  /** Of the last pose that was measured: exact, or matched. */
+  /** Of the last pose that is measured: exact, or that of a scan which was matched or which
+   * odometry carried to (registration::OdometryToMap::reliedOn()). */
   poses::TimeNs measured() const { return measured_; }
 
  private:
@@ -46,10 +47,8 @@ class PoseFeed
   NavPoses source_;
   simulation::DeadReckoning odometry_;
   geometry::Pose2 rolled_;  // as the wheels went, without odometry's errors
-  Eigen::Isometry3d T_map_start_;
-  Eigen::Isometry3d T_map_odom_ = Eigen::Isometry3d::Identity();
-  std::vector<poses::StampedPose> moved_;  // T_odom_base, the last second's
-  registration::ScanToMap matcher_;
+  std::vector<poses::StampedPose> moved_;  // T_odom_base (exact: T_map_base), the last second's
+  registration::OdometryToMap matcher_;    // exact: T_map_odom is the identity
   poses::TimeNs measured_ = 0;
 };
 }  // namespace traverse::app

@@ -12,12 +12,6 @@ namespace traverse::registration
 {
 namespace
 {
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-constexpr int kMostIterations = 50;
-constexpr double kPointShare = 0.1;
-constexpr double kSmallStep = 1e-4;  // m and rad, as the paper's
-
 /** The normal equations of one iteration, about the vehicle's place. */
 struct Normal
 {
@@ -36,11 +30,12 @@ void addAsPoint(
     const Surface& surface,
     const Eigen::Vector3d& at,
     const Eigen::Vector3d& arm,
-    double kernel2)
+    const Gate& gate)
 {
   const Eigen::Vector3d d = at - surface.mean;
+  const double kernel2 = gate.kernel_m * gate.kernel_m;
   const double ratio = kernel2 / (kernel2 + d.squaredNorm());
-  const double weight = surface.looseness * kPointShare * ratio * ratio;
+  const double weight = surface.looseness * gate.point_share * ratio * ratio;
   for (int axis = 0; axis < 3 && weight > 0; ++axis)
   {
     const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
@@ -79,7 +74,7 @@ Normal normalEquations(
     sum.squares.selfadjointView<Eigen::Lower>().rankUpdate(slope, weight);
     sum.offsets -= weight * off_m * slope;
     sum.close += static_cast<size_t>(surface->weight > 0 && std::abs(off_m) < gate.close_m);
-    addAsPoint(sum, *surface, at, arm, kernel2);
+    addAsPoint(sum, *surface, at, arm, gate);
     sum.weight += robust;
     sum.squares_m2 += robust * arm.squaredNorm();
   }
@@ -97,19 +92,42 @@ double constraintOf(const Normal& normal)
   const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled, Eigen::EigenvaluesOnly);
   return solver.eigenvalues()(0) / normal.weight;
 }
+
+void move(Eigen::Isometry3d& T, const Vector6& step)
+{
+  const Eigen::Vector3d turn = step.tail<3>();
+  const double angle = turn.norm();
+  if (angle > 0)
+  {
+    T.linear() = poses::rotationBy(angle, turn / angle) * T.linear();
+    T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
+  }
+  T.translation() += step.head<3>();
+}
 }  // namespace
+
+Vector6 stepBetween(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to)
+{
+  const Eigen::Quaterniond turn(to.linear() * from.linear().transpose());
+  // Twice the sine of half the angle stands for the angle: 1 % off at 30 degrees.
+  const Eigen::Vector3d half = turn.w() < 0 ? Eigen::Vector3d(-turn.vec()) : turn.vec();
+  Vector6 step;
+  step << to.translation() - from.translation(), 2 * half;
+  return step;
+}
 
 Alignment align(
     std::span<const Eigen::Vector3d> points,
     LocalMap& map,
     const Eigen::Isometry3d& T_map_guess,
-    const Gate& gate)
+    const Gate& gate,
+    const Prior& prior)
 {
   Alignment result;
   result.T_map_base = T_map_guess;
   Eigen::Isometry3d& T = result.T_map_base;
   bool settled = false;
-  while (result.iterations < kMostIterations && !settled)
+  while (result.iterations < gate.most_iterations && !settled)
   {
     ++result.iterations;
     const Normal normal = normalEquations(points, map, T, gate);
@@ -119,23 +137,18 @@ Alignment align(
     {
       return result;
     }
-    const Eigen::LDLT<Matrix6> solved(normal.squares);
-    const Vector6 step = solved.solve(normal.offsets);
+    const Eigen::LDLT<Matrix6> solved(normal.squares + prior.information);
+    const Vector6 step =
+        solved.solve(normal.offsets - prior.information * stepBetween(T_map_guess, T));
     if (!step.allFinite())
     {
       return result;
     }
-    const Eigen::Vector3d turn = step.tail<3>();
-    const double angle = turn.norm();
-    if (angle > 0)
-    {
-      T.linear() = poses::rotationBy(angle, turn / angle) * T.linear();
-      T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
-    }
-    T.translation() += step.head<3>();
+    move(T, step);
     result.last_step = step.norm();
     result.constraint = constraintOf(normal);
-    settled = result.last_step < kSmallStep;
+    result.information = normal.squares;
+    settled = result.last_step < gate.settled;
   }
   return result;
 }

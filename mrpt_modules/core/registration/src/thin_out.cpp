@@ -57,12 +57,12 @@ Eigen::Vector3d originOf(const points::Scan& scan)
 }
 }  // namespace
 
-std::vector<Eigen::Vector3d> thinOut(const points::Scan& scan, const Thinning& thinning)
+std::vector<size_t> thinOutIndices(const points::Scan& scan, const Thinning& thinning)
 {
   const Eigen::Vector3d origin = originOf(scan);
   const double reach2 = thinning.max_range_m * thinning.max_range_m;
   VoxelSet seen(scan.size(), thinning.voxel_m);
-  std::vector<Eigen::Vector3d> kept;
+  std::vector<size_t> kept;
   kept.reserve(scan.size() / 4);
   for (size_t i = 0; i < scan.size(); ++i)
   {
@@ -70,9 +70,20 @@ std::vector<Eigen::Vector3d> thinOut(const points::Scan& scan, const Thinning& t
     const bool within = (p - origin).squaredNorm() <= reach2;  // false for NaN
     if (within && seen.add(p))
     {
-      kept.push_back(p);
+      kept.push_back(i);
     }
   }
+  return kept;
+}
+
+std::vector<Eigen::Vector3d> thinOut(const points::Scan& scan, const Thinning& thinning)
+{
+  const std::vector<size_t> indices = thinOutIndices(scan, thinning);
+  std::vector<Eigen::Vector3d> kept;
+  kept.reserve(indices.size());
+  std::transform(
+      indices.begin(), indices.end(), std::back_inserter(kept),
+      [&](size_t i) { return Eigen::Vector3d(scan.x[i], scan.y[i], scan.z[i]); });
   return kept;
 }
 

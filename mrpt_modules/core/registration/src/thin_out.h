@@ -20,6 +20,9 @@ struct Thinning
 /** The first point of each voxel, of those within range of the sensor; vehicle frame. */
 std::vector<Eigen::Vector3d> thinOut(const points::Scan& scan, const Thinning& thinning);
 
+/** Which points those are. */
+std::vector<size_t> thinOutIndices(const points::Scan& scan, const Thinning& thinning);
+
 /** The first point of each voxel. */
 std::vector<Eigen::Vector3d> thinOut(std::span<const Eigen::Vector3d> points, double voxel_m);
 
