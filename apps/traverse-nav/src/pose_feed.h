@@ -46,7 +46,7 @@ class PoseFeed
 
   NavPoses source_;
   simulation::DeadReckoning odometry_;
-  geometry::Pose2 rolled_;  // as the wheels went, without odometry's errors
+  geometry::Pose2 rolled_;                 // as the wheels went, without odometry's errors
   std::vector<poses::StampedPose> moved_;  // T_odom_base (exact: T_map_base), the last second's
   registration::OdometryToMap matcher_;    // exact: T_map_odom is the identity
   poses::TimeNs measured_ = 0;

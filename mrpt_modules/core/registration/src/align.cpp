@@ -20,6 +20,8 @@ struct Normal
   size_t matched = 0;
   size_t close = 0;
   double weight = 0;
+  double planes = 0;  // see Alignment
+  double fitting = 0;
   double squares_m2 = 0;  // of the distances of paired points from the vehicle, weighted
 };
 
@@ -76,6 +78,8 @@ Normal normalEquations(
     sum.close += static_cast<size_t>(surface->weight > 0 && std::abs(off_m) < gate.close_m);
     addAsPoint(sum, *surface, at, arm, gate);
     sum.weight += robust;
+    sum.planes += surface->weight;
+    sum.fitting += weight;
     sum.squares_m2 += robust * arm.squaredNorm();
   }
   const Matrix6 whole = sum.squares.selfadjointView<Eigen::Lower>();
@@ -133,6 +137,8 @@ Alignment align(
     const Normal normal = normalEquations(points, map, T, gate);
     result.matched = normal.matched;
     result.close = normal.close;
+    result.planes = normal.planes;
+    result.fit = normal.planes > 0 ? normal.fitting / normal.planes : 0;
     if (normal.matched < 6 || !(normal.weight > 0))
     {
       return result;

@@ -20,32 +20,36 @@ namespace
 constexpr double kRadPerDegree = geometry::kPi / 180;
 
 // In voxels.
-constexpr double kMapSpacing = 0.4;
-constexpr double kMatchSpacing = 1.2;
+constexpr double kMapSpacing = 0.3;
+constexpr double kMatchSpacing = 1.0;
 constexpr double kReach = 1.0;
 
-// What is taken for the standard deviation of one pair's distance. Noise is 1 to 3 cm; but pairs
+// What is taken for the standard deviation of one pair's distance, m. Noise is 1 to 3 cm; but pairs
 // share the errors of their planes, so they tell less than so many measurements would.
-constexpr double kPair_m = 0.15;
-constexpr double kKernel_m = 0.15;
-constexpr double kClose_m = 0.08;
+constexpr double kPair = 0.1;
+constexpr double kKernel = 0.25;  // m: pairs that far off still tell that the wheels slipped
 
 constexpr size_t kFewestPoints = 50;
-constexpr size_t kMostPairs = 800;
+constexpr size_t kMostPairs = 1000;
 constexpr double kLeastMatched = 0.25;  // of the points: new ground comes into view
-constexpr double kLeastClose = 0.5;     // of the matched: they fit
-constexpr double kSettled = 1e-3;       // m and rad
+constexpr double kFewestPlanes = 6;     // as many as directions of motion
+constexpr double kLeastFit = 0.5;
+constexpr double kSettled = 1e-3;  // m and rad
 constexpr double kUnsettled = 0.05;
 constexpr int kMostIterations = 12;
-constexpr double kSurprise = 16.8;    // chi-square of six, exceeded once in a hundred
-constexpr double kMostSurprise = 100;  // times that: further off, it is another place
 
-constexpr double kKeyFrame_m = 0.4;
-constexpr double kKeyFrame_deg = 15;
+// The squared Mahalanobis distance of pairs from prediction seldom passes 1, as kPair is large;
+// wheels that spin at 1 m/s reach 2 within a few scans. Beyond the most it is another place.
+constexpr double kSurprise = 2;
+constexpr double kMostSurprise = 1000;
 
-// A vehicle that stands may be pushed, loaded, or slide: variances of a second.
-constexpr double kStandingPlace_m2 = 1e-6;
-constexpr double kStandingTurn_rad2 = 1e-6;
+// Key frames of a lidar lie so far apart, m, or are turned so far, deg.
+constexpr double kKeyFrameWay = 0.4;
+constexpr double kKeyFrameTurn = 15;
+
+// A vehicle that stands may be pushed or loaded: variances of a second, m2 and rad2.
+constexpr double kStandingPlace = 1e-6;
+constexpr double kStandingTurn = 1e-6;
 
 Eigen::Matrix3d crossOf(const Eigen::Vector3d& v)
 {
@@ -67,13 +71,13 @@ double horizontalDeviation_m(const Matrix6& covariance)
   return std::sqrt(mean + std::sqrt(half * half + covariance(0, 1) * covariance(0, 1)));
 }
 
-/** Sine and cosine need no inverse for "turned by more than": the trace of a rotation falls. */
+/** Whether one is a key frame beside the other. */
 bool isApart(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b)
 {
   const Eigen::Isometry3d between = a.inverse() * b;
-  const double cosine = (between.linear().trace() - 1) / 2;
-  return between.translation().norm() > kKeyFrame_m ||
-         cosine < geometry::sinCosOf(kKeyFrame_deg * kRadPerDegree).cos;
+  const double cosine = (between.linear().trace() - 1) / 2;  // of the turn
+  return between.translation().norm() > kKeyFrameWay ||
+         cosine < geometry::sinCosOf(kKeyFrameTurn * kRadPerDegree).cos;
 }
 
 /** One point per voxel of the raw cloud; then fewer are to be deskewed. */
@@ -120,6 +124,18 @@ std::vector<Eigen::Vector3d> atMost(const std::vector<Eigen::Vector3d>& points, 
     some.push_back(points[i * points.size() / most]);
   }
   return some;
+}
+
+Fit judged(const Alignment& found, size_t points)
+{
+  const bool lies_on_map =
+      static_cast<double>(found.matched) >= kLeastMatched * static_cast<double>(points) &&
+      found.planes >= kFewestPlanes && found.fit >= kLeastFit;
+  if (!lies_on_map)
+  {
+    return Fit::little_overlap;
+  }
+  return found.last_step > kUnsettled ? Fit::unsettled : Fit::matched;
 }
 }  // namespace
 
@@ -184,8 +200,8 @@ void OdometryToMap::predict(const Eigen::Isometry3d& T_odom_base, poses::TimeNs 
       yaw;
   variance *= way_m;
   variance[5] += squared(params_.turn_share) * turn_rad;
-  variance.head<3>().array() += kStandingPlace_m2 * passed_s;
-  variance.tail<3>().array() += kStandingTurn_rad2 * passed_s;
+  variance.head<3>().array() += kStandingPlace * passed_s;
+  variance.tail<3>().array() += kStandingTurn * passed_s;
   Matrix6 turned = Matrix6::Zero();
   turned.topLeftCorner<3, 3>() =
       R_map_base * variance.head<3>().asDiagonal() * R_map_base.transpose();
@@ -208,7 +224,8 @@ Followed OdometryToMap::follow(
   {
     return {Fit::too_few_points, predicted, 0, 0};
   }
-  if (!began_)
+  // Lidars may look at places that have nothing in common.
+  if (!key_frames_.contains(label) && (!began_ || carried_m_ <= kKeyFrameWay))
   {
     began_ = true;
     keep(points, label, predicted);
@@ -216,13 +233,13 @@ Followed OdometryToMap::follow(
   }
   Estimate now = estimate(some, predicted, covariance_);
   int iterations = now.found.iterations;
-  const double surprise = now.surprise / kSurprise;
-  if (surprise > 1 && surprise <= kMostSurprise)
+  const double surprise = now.surprise;
+  if (surprise > kSurprise && surprise <= kMostSurprise)
   {
-    now = estimate(some, predicted, surprise * covariance_);
+    now = estimate(some, predicted, surprise / kSurprise * covariance_);
     iterations += now.found.iterations;
   }
-  const Fit fit = surprise > kMostSurprise ? Fit::contradicts : judge(now, some.size());
+  const Fit fit = surprise > kMostSurprise ? Fit::contradicts : judged(now.found, some.size());
   if (fit != Fit::matched)
   {
     return {fit, predicted, iterations, 0};
@@ -238,38 +255,24 @@ OdometryToMap::Estimate OdometryToMap::estimate(
     const Eigen::Isometry3d& predicted,
     const Matrix6& covariance)
 {
-  constexpr double kPair_m2 = kPair_m * kPair_m;
+  constexpr double kPairSquared = kPair * kPair;
   // Never quite singular: a vehicle that has not moved since it was placed.
   const Matrix6 before = covariance + 1e-8 * Matrix6::Identity();
-  const Prior prior{kPair_m2 * inverseOf(before)};
-  const Gate gate = {
-      kReach * params_.voxel_m, kKernel_m, kClose_m, 0, kSettled, kMostIterations};
+  const Prior prior{kPairSquared * inverseOf(before)};
+  const Gate gate = {kReach * params_.voxel_m, kKernel, kKernel, 0, kSettled, kMostIterations};
   Estimate result;
   result.found = align(points, map_, predicted, gate, prior);
   const Matrix6 both = result.found.information + prior.information;
-  result.covariance = kPair_m2 * inverseOf(both);
+  result.covariance = kPairSquared * inverseOf(both);
 
   // e' (R + P)^-1 e with P `before`, R the pairs' covariance: at the minimum prior and pairs pull
   // alike, v = P^-1 d = R^-1 (e - d), so e = (P + R) v. What only the prior holds adds nothing.
   constexpr double kOpen = 1e-3;
   const Vector6 d = stepBetween(predicted, result.found.T_map_base);
-  const Vector6 v = prior.information * d / kPair_m2;
-  const Matrix6 pairs = (result.found.information + kOpen * prior.information) / kPair_m2;
+  const Vector6 v = prior.information * d / kPairSquared;
+  const Matrix6 pairs = (result.found.information + kOpen * prior.information) / kPairSquared;
   result.surprise = v.dot(before * v + inverseOf(pairs) * v);
   return result;
-}
-
-Fit OdometryToMap::judge(const Estimate& estimate, size_t points) const
-{
-  const Alignment& found = estimate.found;
-  const auto matched = static_cast<double>(found.matched);
-  const bool lies_on_map = matched >= kLeastMatched * static_cast<double>(points) &&
-                           static_cast<double>(found.close) >= kLeastClose * matched;
-  if (!lies_on_map)
-  {
-    return Fit::little_overlap;
-  }
-  return found.last_step > kUnsettled ? Fit::unsettled : Fit::matched;
 }
 
 void OdometryToMap::keep(

@@ -18,9 +18,9 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /** Which points are pairs, and how much far ones count. */
 struct Gate
 {
-  double reach_m = 1;    //!< pairs further apart are none
-  double kernel_m = 1;   //!< scale of the Geman-McClure kernel
-  double close_m = 0.1;  //!< a point nearer to its plane than this lies on it
+  double reach_m = 1;        //!< pairs further apart are none
+  double kernel_m = 1;       //!< scale of the Geman-McClure kernel
+  double close_m = 0.1;      //!< a point nearer to its plane than this lies on it
   double point_share = 0.1;  //!< of a plane's weight, for what lies on none and pulls as a point
   double settled = 1e-4;     //!< a smaller step (m and rad together) is the last; the paper's
   int most_iterations = 50;
@@ -39,7 +39,10 @@ struct Alignment
   Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
   size_t matched = 0;  //!< points with a surface within reach, in the last iteration
   int iterations = 0;
-  size_t close = 0;      //!< of those, points that lie on their plane
+  size_t close = 0;   //!< of those, points that lie on their plane
+  double planes = 0;  //!< sum of the pairs' Surface::weight
+  double fit =
+      0;  //!< the share of `planes` that the kernel leaves: 1 where all points lie on theirs
   double last_step = 0;  //!< m and rad together; pairs that come and go may keep it from 0
   /** The least that one of the six directions of motion is held by, as a share of the pairs (each
    * weighs at most 1; rotations at the points' root mean square distance). */

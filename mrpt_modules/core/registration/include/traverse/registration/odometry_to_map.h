@@ -32,7 +32,7 @@ struct FollowParams
   double tilt_deg = 4;
   double turn_share = 0.03;  //!< of a turn by one radian, rad; grows with the root of the turn
 
-  double carried_m = 1;        //!< the way for which odometry carries on without a match
+  double carried_m = 1;          //!< the way for which odometry carries on without a match
   double max_deviation_m = 0.3;  //!< a place known worse than this in some direction is none
 };
 
@@ -40,7 +40,7 @@ struct FollowParams
 enum class Fit : uint8_t
 {
   matched,         //!< it took part in the pose, as far as the map holds it
-  began,           //!< the first scan of a map: its pose is odometry's
+  began,           //!< the first scan of a lidar: its pose is odometry's
   no_odometry,     //!< none reaches its time
   too_few_points,  //!< within range, one per voxel
   little_overlap,  //!< too few of them on the map
@@ -111,7 +111,6 @@ class OdometryToMap
       const std::vector<Eigen::Vector3d>& points,
       const Eigen::Isometry3d& predicted,
       const Matrix6& covariance);
-  Fit judge(const Estimate& estimate, size_t points) const;
   void predict(const Eigen::Isometry3d& T_odom_base, poses::TimeNs stamp);
   void keep(
       const std::vector<Eigen::Vector3d>& points,
