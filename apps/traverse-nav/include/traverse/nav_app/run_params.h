@@ -19,7 +19,7 @@ namespace traverse::app
 enum class NavPoses : uint8_t
 {
   exact,   //!< the simulator's
-  icp_3d,  //!< odometry between scans that are matched to a map of those before (registration)
+  icp_3d,  //!< odometry put right by scans that are matched to a map (registration)
 };
 
 /** Section [traverse-nav]. */
@@ -48,7 +48,11 @@ void visit(P& p, F&& f)
   f(Option{"title", "of the report"}, p.title);
   f(Option{"scene", "the world to drive in: a scene file of traverse-sim, from this ini's folder"},
     p.scene);
-  f(Option{"poses", "exact: the simulator's; icp_3d: odometry and matched scans"}, p.poses);
+  f(
+      Option{
+          "poses",
+          "exact: the simulator's; icp_3d: odometry with drift, put right by matched scans"},
+      p.poses);
   f(Option{"control_hz", "commands a second", {5, 100}}, p.control_hz);
   f(
       Option{

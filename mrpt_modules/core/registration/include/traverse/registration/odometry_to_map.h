@@ -9,11 +9,10 @@
 
 #include <Eigen/Geometry>
 
-#include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace traverse::registration
@@ -48,10 +47,6 @@ enum class Fit : uint8_t
   contradicts,     //!< it lies where odometry cannot have come to
 };
 
-inline constexpr std::array<std::string_view, 7> kFitNames = {
-    "matched",        "began",     "no_odometry", "too_few_points",
-    "little_overlap", "unsettled", "contradicts"};
-
 /** A scan's pose. */
 struct Followed
 {
@@ -67,7 +62,7 @@ struct Followed
  * As in Kinematic-ICP (Guadagnino, Mersch, Vizzo, Gupta, Malladi, Lobefaro, Doisy, Stachniss:
  * "Kinematic-ICP", arXiv 2410.10277) the distance from odometry's prediction is minimised together
  * with those of the pairs; here it weighs by the covariance of the prediction, which grows with way
- * and turn and shrinks with what each match tells (an error-state Kalman filter whose measurement
+ * and turn, and shrinks with what each match tells (an error-state Kalman filter whose measurement
  * is the whole match). So a direction that the map leaves open stays odometry's, a standing vehicle
  * stays put, and no rule is needed for either. Where pairs and prediction disagree by more than
  * both allow (a wheel slips), the prediction counts for less. Key frames, each lidar's own, enter
