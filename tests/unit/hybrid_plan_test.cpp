@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <traverse/navigation/footprint.h>
 #include <traverse/navigation/planner.h>
 
 #include <gtest/gtest.h>
@@ -121,6 +122,40 @@ TEST(HybridPlan, GoesThroughACorridorWithItsOutlineClearOfTheWalls)
   ASSERT_TRUE(plan.is_whole) << plan.why_not;
   EXPECT_EQ(expectDriveable(plan.path, map, car).backward_m, 0);
   EXPECT_EQ(needsNewPlan(map, car.vehicle, plan, {1, 4.2, 0}, {}), Replan::no);
+}
+
+/** Poses of a path at which an outline with a margin would touch something. */
+int touches(const Path& path, const Costmap& map, const Car& car, double margin_m)
+{
+  Footprint wide(car.vehicle, margin_m);
+  ObstacleCounts obstacles;
+  obstacles.set(map, {});
+  int count = 0;
+  for (const PathPoint& point : path)
+  {
+    count += obstacles.isHit(wide, standAt(point.pose)) ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(HybridPlan, KeepsItsMarginWhereThereIsRoomAndDoesWithoutWhereThereIsNone)
+{
+  const Car car;
+  Costmap map = openCostmap(60, 200);
+  fill(map, {{25, 32}, {35, 33}}, Passage::obstacle);  // from y = 6.4; the car reaches to 6.35
+  const geometry::Pose2 start = {2, 6.05, 0};
+  const Goal goal = {10, 6.05, 0};
+  const Plan plan = car.planner().plan(map, start, goal);
+  ASSERT_TRUE(plan.is_whole) << plan.why_not;
+  EXPECT_EQ(touches(plan.path, map, car, PlanParams().margin_m), 0);
+  PlanParams without;
+  without.margin_m = 0;
+  const Plan straight = Planner(car.vehicle, car.drivetrain, without).plan(map, start, goal);
+  EXPECT_GT(touches(straight.path, map, car, PlanParams().margin_m), 0) << "it would be near";
+  fill(map, {{25, 0}, {35, 28}}, Passage::obstacle);  // 0.8 m are left, the car needs 0.6
+  const Plan narrow = car.planner().plan(map, start, goal);
+  ASSERT_TRUE(narrow.is_whole) << narrow.why_not;
+  EXPECT_EQ(touches(narrow.path, map, car, 0), 0);
 }
 
 TEST(HybridPlan, SaysAtOnceWhereItDoesNotFit)

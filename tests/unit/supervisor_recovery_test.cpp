@@ -24,6 +24,9 @@ TEST(SupervisorRecovery, GivesUpWithoutAWayWithinThreeSeconds)
   EXPECT_EQ(drive.run(5), Conduct::give_up);
   drive.supervisor.nextGoal();
   EXPECT_EQ(drive.run(5), Conduct::give_up);
+  // But for another mission.
+  drive.supervisor.startOver();
+  EXPECT_EQ(drive.run(1), Conduct::drive);
 }
 
 TEST(SupervisorRecovery, DrivesOnWhereAWayIsFoundInTime)

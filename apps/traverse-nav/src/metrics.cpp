@@ -39,6 +39,16 @@ Json plansOf(const Pilot& pilot)
       {"finished", plans[static_cast<size_t>(navigation::Replan::finished)]}};
 }
 
+/** What maps and control take of a core, and how many control steps take longer than a period. */
+void addLoad(Json& json, const NavSettings& settings, const Latencies& latencies, double time_s)
+{
+  constexpr double kMsPerS = 1000;
+  const double busy_ms = latencies.totalMs(Stage::maps) + latencies.totalMs(Stage::control);
+  json["core_share"] = busy_ms / (kMsPerS * std::max(time_s, 1e-9));
+  json["late_control_share"] =
+      latencies.shareAbove(Stage::control, kMsPerS / settings.run.control_hz);
+}
+
 /** Shares of the control steps by what the pilot did. */
 Json sharesOf(const DriveResult& result)
 {
@@ -118,6 +128,7 @@ Json driveMetrics(
   json["slips"] = result.slips;
   json["plans"] = plansOf(pilot);
   json["latencies"] = latenciesOf(pilot.latencies());
+  addLoad(json, settings, pilot.latencies(), result.time_s);
   return json;
 }
 
@@ -145,6 +156,7 @@ Json replayMetrics(
   json["both_move"] = agreementOf(result);
   json["plans"] = plansOf(pilot);
   json["latencies"] = latenciesOf(pilot.latencies());
+  addLoad(json, settings, pilot.latencies(), result.time_s);
   return json;
 }
 }  // namespace traverse::app

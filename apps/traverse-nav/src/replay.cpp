@@ -57,13 +57,16 @@ poses::PoseTrack trackOf(
   return poses::PoseTrack(std::move(reading.poses), params.limits());
 }
 
-/** When the last of its points was seen. */
+/** When the last of its points was seen; its stamp where its times are none. */
 poses::TimeNs arrivalOf(const points::ScanBuffer& scan)
 {
-  const auto latest = std::max_element(scan.time_s.begin(), scan.time_s.end());
-  return latest == scan.time_s.end()
-             ? scan.stamp
-             : std::max(scan.stamp, poses::later(scan.stamp, static_cast<double>(*latest)));
+  constexpr float kLongest_s = 10;
+  float latest_s = 0;
+  for (const float time_s : scan.time_s)
+  {
+    latest_s = time_s > latest_s && time_s < kLongest_s ? time_s : latest_s;
+  }
+  return poses::later(scan.stamp, static_cast<double>(latest_s));
 }
 
 class Replay

@@ -53,6 +53,8 @@ formats::KeyFigures keyFigures(const Json& metrics)
       {"/time_over_optimum", "time over shortest way at full speed", ""},
       {"/both_move/driven_mean_mps", "mean speed as driven", "m/s"},
       {"/both_move/commanded_mean_mps", "mean speed as commanded", "m/s"},
+      {"/core_share", "share of a core that maps and control take", ""},
+      {"/late_control_share", "share of control steps that took longer than a period", ""},
       {"/scans_without_pose", "scans without a pose", ""}};
   formats::KeyFigures figures;
   for (const Figure& figure : kFigures)

@@ -38,6 +38,12 @@ class Latencies
   /** A share of a stage's times is below this, ms; 0 where it never ran. 0 < share <= 1. */
   double percentileMs(Stage stage, double share) const;
 
+  /** Of all its times together, ms. */
+  double totalMs(Stage stage) const;
+
+  /** Share of its times above a limit; 0 where it never ran. */
+  double shareAbove(Stage stage, double limit_ms) const;
+
   uint64_t count(Stage stage) const { return times_ms_[static_cast<size_t>(stage)].size(); }
 
  private:
