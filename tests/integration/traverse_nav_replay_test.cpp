@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the navigator would have commanded a wheelchair that recorded a real drive (Debian's
 // mrpt-common).
-#include <traverse/nav_app/app.h>
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <support/scratch_folder.h>
+#include <support/traverse_nav.h>
 #include <vector>
 
 namespace
@@ -22,32 +19,17 @@ namespace fs = std::filesystem;
 const fs::path recorded =
     "/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog";
 
-class Replay : public ::testing::Test
+class Replay : public traverse::testing::NavRun
 {
  protected:
   app::ExitCode replay(const fs::path& log, const std::vector<std::string>& more = {}) const
   {
     const fs::path ini = fs::path(TRAVERSE_SOURCE_DIR) / "ini" / "nav_replay_laser2d.ini";
-    std::vector<std::string> args = {"traverse-nav", ini.string(), "--quiet",  "--replay",
-                                     log.string(),   "--output",   path("out")};
+    std::vector<std::string> args = {
+        ini.string(), "--replay", log.string(), "--output", path("out")};
     args.insert(args.end(), more.begin(), more.end());
-    std::vector<const char*> argv;
-    for (const std::string& arg : args)
-    {
-      argv.push_back(arg.c_str());
-    }
-    return app::runNavApp(static_cast<int>(argv.size()), argv.data());
+    return run(args);
   }
-
-  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
-
-  std::string bytes(const std::string& name) const
-  {
-    std::ifstream in(folder_.path() / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
-  traverse::testing::ScratchFolder folder_;
 };
 
 TEST_F(Replay, WouldHaveDrivenAlmostAlwaysWhereTheVehicleDrove)
@@ -72,7 +54,7 @@ TEST_F(Replay, SavesWhatCameBeforeADamage)
   std::ifstream whole(recorded, std::ios::binary);
   std::string half(fs::file_size(recorded) / 2, '\0');
   whole.read(half.data(), static_cast<std::streamsize>(half.size()));
-  std::ofstream(path("cut.rawlog"), std::ios::binary) << half;
+  write("cut.rawlog", half);
   ASSERT_EQ(replay(path("cut.rawlog")), app::ExitCode::partial);
   const auto metrics = nlohmann::json::parse(bytes("out/metrics.json"));
   EXPECT_NE(metrics["problem"].get<std::string>().find("cut.rawlog"), std::string::npos);
@@ -83,7 +65,7 @@ TEST_F(Replay, SavesWhatCameBeforeADamage)
 TEST_F(Replay, RefusesWhatIsNoLogAndWhatDoesNotMove)
 {
   EXPECT_EQ(replay(path("missing.rawlog")), app::ExitCode::unreadable);
-  std::ofstream(path("text.rawlog")) << "no log";
+  write("text.rawlog", "no log");
   EXPECT_EQ(replay(path("text.rawlog")), app::ExitCode::unreadable);
   EXPECT_EQ(replay(recorded, {"--set", "Poses.source=identity"}), app::ExitCode::configuration);
   EXPECT_FALSE(fs::exists(path("out")));

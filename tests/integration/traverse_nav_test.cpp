@@ -1,24 +1,20 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The closed loop: a small robot with one lidar in a yard of 16 x 12 m, as a program would run it.
-#include <traverse/nav_app/app.h>
 #include <traverse/nav_app/closed_loop.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <support/scratch_folder.h>
+#include <support/traverse_nav.h>
 #include <vector>
 
 namespace
 {
 using namespace traverse;
-using traverse::testing::ScratchFolder;
 
 /** Things within a fence. */
 std::string scene(const std::string& things)
@@ -55,36 +51,15 @@ const std::string robot =
     "[Maps]\nCWrappableMultiLidarGrid_count = 1\n"
     "[Maps_CWrappableMultiLidarGrid_00_insertOpts]\nwindow_m = 24\nmax_range_m = 20\n";
 
-class TraverseNav : public ::testing::Test
+class TraverseNav : public traverse::testing::NavRun
 {
  protected:
-  void write(const std::string& name, const std::string& text) const
+  app::ExitCode navigate(const std::vector<std::string>& more = {}) const
   {
-    std::ofstream(folder_.path() / name) << text;
-  }
-
-  app::ExitCode navigate(std::vector<std::string> more = {}) const
-  {
-    std::vector<std::string> args = {
-        "traverse-nav", (folder_.path() / "robot.ini").string(), "--quiet", "--seed", "3"};
+    std::vector<std::string> args = {path("robot.ini"), "--seed", "3"};
     args.insert(args.end(), more.begin(), more.end());
-    std::vector<const char*> argv;
-    for (const std::string& arg : args)
-    {
-      argv.push_back(arg.c_str());
-    }
-    return app::runNavApp(static_cast<int>(argv.size()), argv.data());
+    return run(args);
   }
-
-  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
-
-  std::string bytes(const std::string& name) const
-  {
-    std::ifstream in(folder_.path() / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
-  ScratchFolder folder_;
 };
 
 TEST_F(TraverseNav, DrivesRoundABoxToItsGoalAndTheSameSeedDrivesTheSame)

@@ -64,13 +64,16 @@ formats::OutputFolder folderOf(const NavCommand& command)
 }
 
 /** What is said at the end of a run of either kind. */
-void conclude(const NavCommand& command, const Pilot& pilot, const Json& metrics)
+ExitCode concluded(
+    const NavCommand& command, const Pilot& pilot, const DriveResult& result, const Json& metrics)
 {
   if (command.why)
   {
     tellWhy(pilot, *command.why);
   }
   std::cout << textOf(metrics) << "\n";
+  return result.interrupted ? Interrupt::exitCode().value_or(ExitCode::interrupted)
+                            : ExitCode::done;
 }
 
 ExitCode navigate(const NavCommand& command, const NavSettings& settings)
@@ -86,9 +89,7 @@ ExitCode navigate(const NavCommand& command, const NavSettings& settings)
       driveMetrics(settings, pilot, result, optimum_m(settings, mission), command.seed);
   writeDrive(folder, settings, pilot, mission.goals, result, metrics);
   folder.commit();
-  conclude(command, pilot, metrics);
-  return result.interrupted ? Interrupt::exitCode().value_or(ExitCode::interrupted)
-                            : ExitCode::done;
+  return concluded(command, pilot, result, metrics);
 }
 
 ExitCode replayLog(const NavCommand& command, const NavSettings& settings)
@@ -107,14 +108,13 @@ ExitCode replayLog(const NavCommand& command, const NavSettings& settings)
   const Json metrics = replayMetrics(settings, pilot, result, command.replay);
   writeDrive(folder, settings, pilot, {}, result, metrics);
   folder.commit();
-  conclude(command, pilot, metrics);
+  const ExitCode code = concluded(command, pilot, result, metrics);
   if (!result.problem.empty())
   {
     tell("problem", result.problem);
     return ExitCode::partial;
   }
-  return result.interrupted ? Interrupt::exitCode().value_or(ExitCode::interrupted)
-                            : ExitCode::done;
+  return code;
 }
 
 ExitCode runCommand(const NavCommand& command)

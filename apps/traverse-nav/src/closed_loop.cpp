@@ -4,7 +4,6 @@
 #include "robot_world.h"
 
 #include <traverse/nav_app/closed_loop.h>
-#include <traverse/points/deskew.h>
 #include <traverse/simulation/decode_turn.h>
 #include <traverse/simulation/random.h>
 
@@ -28,11 +27,7 @@ void sense(RobotWorld& world, PoseFeed& poses, Pilot& pilot)
   {
     points::Decoded seen = simulation::decodeTurn(turn);
     poses.see(seen.scan);
-    const poses::PoseTrack track = poses.track();
-    if (track.at(seen.scan.stamp) && points::deskew(seen.scan, track) != points::Deskew::no_poses)
-    {
-      pilot.take(seen.view(), track);
-    }
+    pilot.take(seen, poses.track());
   }
 }
 

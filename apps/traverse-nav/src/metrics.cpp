@@ -39,9 +39,13 @@ Json plansOf(const Pilot& pilot)
       {"finished", plans[static_cast<size_t>(navigation::Replan::finished)]}};
 }
 
-/** What maps and control take of a core, and how many control steps take longer than a period. */
-void addLoad(Json& json, const NavSettings& settings, const Latencies& latencies, double time_s)
+/** How often the pilot planned, how long its stages took, what maps and control take of a core, and
+ * how many control steps take longer than a period. */
+void addWork(Json& json, const NavSettings& settings, const Pilot& pilot, double time_s)
 {
+  const Latencies& latencies = pilot.latencies();
+  json["plans"] = plansOf(pilot);
+  json["latencies"] = latenciesOf(latencies);
   constexpr double kMsPerS = 1000;
   const double busy_ms = latencies.totalMs(Stage::maps) + latencies.totalMs(Stage::control);
   json["core_share"] = busy_ms / (kMsPerS * std::max(time_s, 1e-9));
@@ -126,9 +130,7 @@ Json driveMetrics(
       result.reached && std::isfinite(optimum_m) ? Json(result.time_s / shortest_s) : Json();
   json["stops"] = result.stops;
   json["slips"] = result.slips;
-  json["plans"] = plansOf(pilot);
-  json["latencies"] = latenciesOf(pilot.latencies());
-  addLoad(json, settings, pilot.latencies(), result.time_s);
+  addWork(json, settings, pilot, result.time_s);
   return json;
 }
 
@@ -154,9 +156,7 @@ Json replayMetrics(
   json["min_clearance_m"] = result.min_clearance_m;
   json["conduct"] = sharesOf(result);
   json["both_move"] = agreementOf(result);
-  json["plans"] = plansOf(pilot);
-  json["latencies"] = latenciesOf(pilot.latencies());
-  addLoad(json, settings, pilot.latencies(), result.time_s);
+  addWork(json, settings, pilot, result.time_s);
   return json;
 }
 }  // namespace traverse::app

@@ -8,6 +8,7 @@
 #include <traverse/navigation/cost_rules.h>
 #include <traverse/navigation/lead_in.h>
 #include <traverse/navigation/obstacle_points.h>
+#include <traverse/points/deskew.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +65,14 @@ void Pilot::startOver(const navigation::Goal& goal)
   supervisor_.startOver();
 }
 
-void Pilot::take(const points::Scan& scan, const poses::PoseTrack& track)
+bool Pilot::take(points::Decoded& decoded, const poses::PoseTrack& track)
 {
+  if (!track.at(decoded.scan.stamp) ||
+      points::deskew(decoded.scan, track) == points::Deskew::no_poses)
+  {
+    return false;
+  }
+  const points::Scan scan = decoded.view();
   latencies_.time(
       Stage::maps,
       [&]
@@ -76,6 +83,7 @@ void Pilot::take(const points::Scan& scan, const poses::PoseTrack& track)
         }
       });
   last_scan_ = std::max(last_scan_, scan.stamp);
+  return true;
 }
 
 std::vector<layers::LayerSet> Pilot::layerSets(

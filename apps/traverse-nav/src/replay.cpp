@@ -11,18 +11,15 @@
 #include <traverse/logs/log_reader.h>
 #include <traverse/nav_app/replay.h>
 #include <traverse/navigation/obstacle_points.h>
-#include <traverse/points/deskew.h>
 #include <traverse/poses/level_pose.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace traverse::app
 {
 namespace
 {
-using navigation::Conduct;
 using poses::secondsBetween;
 
 constexpr double kMotionOver_s = 0.1;
@@ -91,17 +88,8 @@ class Replay
 
   void take(points::Decoded& decoded)
   {
-    points::ScanBuffer& scan = decoded.scan;
-    steerUntil(arrivalOf(scan));
-    if (track_.at(scan.stamp) && points::deskew(scan, track_) != points::Deskew::no_poses)
-    {
-      pilot_.take(decoded.view(), track_);
-      ++result_.scans;
-    }
-    else
-    {
-      ++result_.scans_without_pose;
-    }
+    steerUntil(arrivalOf(decoded.scan));
+    ++(pilot_.take(decoded, track_) ? result_.scans : result_.scans_without_pose);
   }
 
   bool isOver() const { return result_.time_s >= settings_.run.max_time_s; }

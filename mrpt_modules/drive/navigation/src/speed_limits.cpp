@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "speed_limits.h"
 
+#include "room.h"
+
 #include <traverse/geometry/exact_trig.h>
 
 #include <algorithm>
@@ -73,31 +75,6 @@ double stoppingSpeed(double way_m, double brake_mps2, double reaction_s)
 {
   const double lost = brake_mps2 * reaction_s;
   return std::sqrt(lost * lost + 2 * brake_mps2 * std::max(way_m, 0.0)) - lost;
-}
-
-/** From the middle of a cell to that of the nearest hard buffer or obstacle, m; infinity where none
- * is within reach. */
-double roomAt(const Costmap& costmap, CellIndex c, int32_t reach_cells)
-{
-  int64_t nearest = std::numeric_limits<int64_t>::max();
-  const geometry::CellRect around = geometry::intersection(
-      {{c.x - reach_cells, c.y - reach_cells}, {c.x + reach_cells + 1, c.y + reach_cells + 1}},
-      costmap.extent);
-  for (CellIndex h = around.min; h.y < around.max.y; ++h.y)
-  {
-    for (h.x = around.min.x; h.x < around.max.x; ++h.x)
-    {
-      const int64_t dx = int64_t{h.x} - c.x;
-      const int64_t dy = int64_t{h.y} - c.y;
-      if (dx * dx + dy * dy < nearest && costmap.passage[costmap.indexOf(h)] >= Passage::hard)
-      {
-        nearest = dx * dx + dy * dy;
-      }
-    }
-  }
-  return nearest == std::numeric_limits<int64_t>::max()
-             ? kInfinity
-             : std::sqrt(static_cast<double>(nearest)) * costmap.lattice.cell_m();
 }
 
 void limitByUnknown(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells that are opened for one plan because the vehicle stands, or the goal lies, where nothing is
 // planned.
+#include "room.h"
+
 #include <traverse/layers/distance_transform.h>
 #include <traverse/navigation/terrain.h>
 
@@ -48,23 +50,6 @@ void forNeighbours(CellIndex c, F&& f)
     }
   }
 }
-
-/** In a disc. */
-bool hasHardWithin(const Costmap& costmap, CellIndex c, int32_t reach)
-{
-  const int32_t edge = 2 * reach + 1;
-  for (int32_t i = 0; i < edge * edge; ++i)
-  {
-    const int32_t dx = i % edge - reach;
-    const int32_t dy = i / edge - reach;
-    if (dx * dx + dy * dy <= reach * reach &&
-        costmap.passageAt({c.x + dx, c.y + dy}) >= Passage::hard)
-    {
-      return true;
-    }
-  }
-  return false;
-}
 }  // namespace
 
 void Terrain::openSoftAround(const Costmap& costmap, std::vector<CellIndex>& front)
@@ -103,9 +88,10 @@ void Terrain::openSoft(const Costmap& costmap, CellIndex from)
 void Terrain::openBesideStrips(const Costmap& costmap, int32_t reach, int32_t room)
 {
   const int32_t edge = 2 * reach + 1;
+  const double room_m = room * lattice_.cell_m();
   for (const CellIndex& c : costmap.strip)
   {
-    if (room > 0 && hasHardWithin(costmap, c, room))
+    if (room > 0 && roomAt(costmap, c, room) <= room_m)
     {
       price_[indexOf(c)] = kClosed;
       continue;

@@ -47,8 +47,8 @@ class Pilot
   /** A goal of another mission, also where the last one was given up. */
   void startOver(const navigation::Goal& goal);
 
-  /** A deskewed scan into all maps. */
-  void take(const points::Scan& scan, const poses::PoseTrack& track);
+  /** Deskews a scan and takes it into all maps; false where the track has no pose for it. */
+  bool take(points::Decoded& decoded, const poses::PoseTrack& track);
 
   /** A control step at a pose that was last measured (not only reckoned) at a time. Times must
    * grow. */
