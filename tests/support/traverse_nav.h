@@ -24,6 +24,7 @@ class NavRun : public ::testing::Test
   {
     args.insert(args.begin(), {"traverse-nav", "--quiet"});
     std::vector<const char*> argv;
+    argv.reserve(args.size());
     for (const std::string& arg : args)
     {
       argv.push_back(arg.c_str());
