@@ -157,4 +157,21 @@ TEST(RandomScene, RefusesAnAreaThatIsTooSmall)
     EXPECT_NE(std::string(e.what()).find("[Random] drive_m"), std::string::npos) << e.what();
   }
 }
+
+/** Rays ask for the look of the ground alone. */
+TEST(RandomScene, GroundLooksAsItIs)
+{
+  for (uint64_t seed = 1; seed <= 3; ++seed)
+  {
+    const auto terrain = buildScene(randomScene(seed)).terrain;
+    for (int i = 0; i < 10000; ++i)
+    {
+      const int row = i / 100;
+      const double x = -35 + (i % 100) * 0.71;
+      const double y = -35 + row * 0.71;
+      ASSERT_EQ(terrain->lookAt(x, y).label, terrain->at(x, y).label) << x << " " << y;
+      ASSERT_EQ(terrain->lookAt(x, y).material, terrain->at(x, y).material) << x << " " << y;
+    }
+  }
+}
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace traverse::simulation
 {
@@ -58,6 +60,24 @@ TEST(Random, NormalNumbersHaveTheMomentsAndTailsOfTheDistribution)
   EXPECT_NEAR(squares / kDraws, 1, 0.016);   // 5 sqrt(2 / n)
   EXPECT_NEAR(fourths / kDraws, 3, 0.11);    // 5 sqrt(96 / n)
   EXPECT_NEAR(beyond_three, 540, 5 * 23.2);  // 0.27 %
+}
+
+TEST(Random, ManyNormalNumbersAtOnceHaveTheBitsOfSingleOnes)
+{
+  for (size_t count = 0; count < 50; ++count)
+  {
+    Random one(count);
+    Random many(count);
+    std::vector<NormalDraw> draws(count);
+    std::generate(draws.begin(), draws.end(), [&] { return many.drawNormal(); });
+    std::vector<double> normals(count);
+    normalsOf(draws, normals);
+    for (const double normal : normals)
+    {
+      EXPECT_EQ(normal, one.normal());
+    }
+    EXPECT_EQ(one.bits(), many.bits());
+  }
 }
 
 TEST(Random, AnIndexIsBelowItsBoundAndReachesAll)

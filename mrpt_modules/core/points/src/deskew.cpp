@@ -32,15 +32,20 @@ class MotionTable
       return std::nullopt;
     }
     const int64_t slot = std::llround(std::floor(static_cast<double>(time_s) / kSlot_s));
-    const std::optional<Eigen::Isometry3d>& from = knot(slot);
-    const std::optional<Eigen::Isometry3d>& to = knot(slot + 1);
-    if (!from || !to)
+    if (from_ == nullptr || slot != slot_)
+    {
+      slot_ = slot;
+      from_ = &knot(slot);
+      to_ = &knot(slot + 1);
+    }
+    if (!*from_ || !*to_)
     {
       return std::nullopt;
     }
     const double fraction = static_cast<double>(time_s) / kSlot_s - static_cast<double>(slot);
     Eigen::Isometry3f blend = Eigen::Isometry3f::Identity();
-    blend.matrix() = ((1 - fraction) * from->matrix() + fraction * to->matrix()).cast<float>();
+    blend.matrix() =
+        ((1 - fraction) * (*from_)->matrix() + fraction * (*to_)->matrix()).cast<float>();
     return blend;
   }
 
@@ -66,7 +71,10 @@ class MotionTable
   TimeNs stamp_;
   int segment_;
   Eigen::Isometry3d T_base_map_;
-  std::map<int64_t, std::optional<Eigen::Isometry3d>> knots_;
+  std::map<int64_t, std::optional<Eigen::Isometry3d>> knots_;  // stay where they are
+  int64_t slot_ = 0;                                           // of the last point
+  const std::optional<Eigen::Isometry3d>* from_ = nullptr;
+  const std::optional<Eigen::Isometry3d>* to_ = nullptr;
 };
 }  // namespace
 

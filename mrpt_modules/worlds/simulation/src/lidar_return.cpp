@@ -54,16 +54,24 @@ bool Receiver::isSeen(const Hit& hit, Random& random) const
   return random.uniform() * (1 + needed2 * needed2) < 1;
 }
 
-Measured Receiver::record(size_t laser, const Seen& seen, Random& random) const
+NormalDraw Receiver::drawNoise(Random& random) const
 {
-  const double noise_m = noise_m_ > 0 ? noise_m_ * random.normal() : 0;
-  const uint16_t count =
-      sensors::countOfDistance(seen.range_m + biases_m_[laser] + noise_m, unit_m_);
-  const double shown = std::clamp(std::floor(100 * seen.intensity + 0.5), 0.0, 255.0);
-  return {{count, static_cast<uint8_t>(count > 0 ? shown : 0)}, seen.truth};
+  return noise_m_ > 0 ? random.drawNormal() : NormalDraw{};
 }
 
-Measured Receiver::measure(size_t laser, const Hit& hit, Random& random) const
+Measured Receiver::measure(size_t laser, const Caught& caught, double noise) const
+{
+  if (!caught.is_any)
+  {
+    return {};
+  }
+  const uint16_t count =
+      sensors::countOfDistance(caught.range_m + biases_m_[laser] + noise_m_ * noise, unit_m_);
+  const double shown = std::clamp(std::floor(100 * caught.intensity + 0.5), 0.0, 255.0);
+  return {{count, static_cast<uint8_t>(count > 0 ? shown : 0)}, caught.truth};
+}
+
+Caught Receiver::receive(const Hit& hit, Random& random) const
 {
   if (drop_out_ > 0 && random.chance(drop_out_))
   {
@@ -81,7 +89,7 @@ Measured Receiver::measure(size_t laser, const Hit& hit, Random& random) const
     {
       const ReturnTruth drop{
           Scene::kNoObject, Label::none, Material::soil, static_cast<float>(range_m)};
-      return record(laser, {drop, range_m, kFaint}, random);
+      return {true, drop, range_m, kFaint, drawNoise(random)};
     }
   }
   if (!seen)
@@ -90,6 +98,6 @@ Measured Receiver::measure(size_t laser, const Hit& hit, Random& random) const
   }
   const ReturnTruth truth{hit.object, hit.label, hit.material, static_cast<float>(hit.range_m)};
   const double intensity = reflectivityOf(hit.material) * hit.cos_incidence;
-  return record(laser, {truth, hit.range_m, intensity}, random);
+  return {true, truth, hit.range_m, intensity, drawNoise(random)};
 }
 }  // namespace traverse::simulation

@@ -17,6 +17,16 @@ struct Measured
   ReturnTruth truth;
 };
 
+/** What of a beam's light is seen, its noise not yet made. */
+struct Caught
+{
+  bool is_any = false;
+  ReturnTruth truth;
+  double range_m = 0;
+  double intensity = 0;
+  NormalDraw noise;
+};
+
 /** What a sensor makes of what its beams meet. */
 class Receiver
 {
@@ -26,19 +36,14 @@ class Receiver
 
   double maxRangeMetres() const { return max_range_m_; }
 
-  Measured measure(size_t laser, const Hit& hit, Random& random) const;
+  Caught receive(const Hit& hit, Random& random) const;
+
+  /** `noise`: of Caught::noise. */
+  Measured measure(size_t laser, const Caught& caught, double noise) const;
 
  private:
-  /** A surface, and how bright it is. */
-  struct Seen
-  {
-    ReturnTruth truth;
-    double range_m = 0;
-    double intensity = 0;
-  };
-
   bool isSeen(const Hit& hit, Random& random) const;
-  Measured record(size_t laser, const Seen& seen, Random& random) const;
+  NormalDraw drawNoise(Random& random) const;
 
   const std::vector<double>& biases_m_;
   double max_range_m_;

@@ -4,6 +4,7 @@
 
 #include "recording_time.h"
 
+#include <array>
 #include <cmath>
 
 namespace traverse::simulation
@@ -61,6 +62,8 @@ void PacketMaker::fireSequence(
           ? random.normal() * params_.azimuth_jitter_deg * sensors::kUnitsPerDegree
           : 0;
   const auto jitter = static_cast<sensors::AzimuthUnits>(std::floor(jitter_units + 0.5));
+  std::array<Caught, sensors::kVelodyneRecords> caught;
+  std::array<NormalDraw, sensors::kVelodyneRecords> draws;
   for (size_t i = 0; i < lasers_.size(); ++i)
   {
     const SimulatedLaser& laser = lasers_[i];
@@ -73,8 +76,14 @@ void PacketMaker::fireSequence(
         static_cast<double>(laser.firing_ns) / static_cast<double>(timing_.sequence_ns);
     const Ray ray{
         placement.origin(fraction), placement.direction(in_sensor, fraction), secondsOf(time_ns)};
-    const Measured measured =
-        receiver_.measure(i, world_.scene.cast(ray, receiver_.maxRangeMetres()), random);
+    caught[i] = receiver_.receive(world_.scene.cast(ray, receiver_.maxRangeMetres()), random);
+    draws[i] = caught[i].noise;
+  }
+  std::array<double, sensors::kVelodyneRecords> noise{};
+  normalsOf({draws.data(), lasers_.size()}, noise);
+  for (size_t i = 0; i < lasers_.size(); ++i)
+  {
+    const Measured measured = receiver_.measure(i, caught[i], noise[i]);
     *records++ = measured.record;
     if (measured.record.distance > 0)
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/simulation/random.h>
 
+#include <array>
 #include <cmath>
 
 namespace traverse::simulation
@@ -15,19 +16,37 @@ uint64_t scrambled(uint64_t z)
   return z ^ (z >> 31U);
 }
 
-/** Natural logarithm of 0 < v < 1 by the series of artanh: + - * / only. */
-double logarithm(double v)
+/** kLanes side by side, by Marsaglia's polar method with the natural logarithm of 0 < v < 1 as the
+ * series of artanh: + - * / and a root only, in one order, so that lanes do not change bits. */
+template <size_t kLanes>
+void makeNormals(const NormalDraw* draws, double* normals)
 {
   constexpr double kLogOf2 = 0.693147180559945309417;
-  int exponent = 0;
-  const double mantissa = std::frexp(v, &exponent);  // exact; in [0.5, 1)
-  const double t = (mantissa - 1) / (mantissa + 1);  // |t| <= 1/3
-  double sum = 0;
+  std::array<double, kLanes> exponent{};
+  std::array<double, kLanes> t{};
+  std::array<double, kLanes> square{};
+  std::array<double, kLanes> sum{};
+  for (size_t i = 0; i < kLanes; ++i)
+  {
+    int power = 0;
+    const double mantissa = std::frexp(draws[i].square, &power);  // exact; in [0.5, 1)
+    exponent[i] = power;
+    t[i] = (mantissa - 1) / (mantissa + 1);  // |t| <= 1/3
+    square[i] = t[i] * t[i];
+  }
   for (int n = 33; n >= 1; n -= 2)
   {
-    sum = 1.0 / n + t * t * sum;
+    const double share = 1.0 / n;
+    for (size_t i = 0; i < kLanes; ++i)
+    {
+      sum[i] = share + square[i] * sum[i];
+    }
   }
-  return exponent * kLogOf2 + 2 * t * sum;
+  for (size_t i = 0; i < kLanes; ++i)
+  {
+    const double logarithm = exponent[i] * kLogOf2 + 2 * t[i] * sum[i];
+    normals[i] = draws[i].u * std::sqrt(-2 * logarithm / draws[i].square);
+  }
 }
 }  // namespace
 
@@ -52,17 +71,39 @@ double Random::uniform()
   return static_cast<double>(bits() >> 11U) * 0x1p-53;
 }
 
-double Random::normal()
+NormalDraw Random::drawNormal()
 {
   while (true)
   {
     const double u = uniform(-1, 1);
     const double v = uniform(-1, 1);
-    const double s = u * u + v * v;
-    if (s > 0 && s < 1)
+    const double square = u * u + v * v;
+    if (square > 0 && square < 1)
     {
-      return u * std::sqrt(-2 * logarithm(s) / s);
+      return {u, square};
     }
+  }
+}
+
+double Random::normal()
+{
+  const NormalDraw draw = drawNormal();
+  double normal = 0;
+  makeNormals<1>(&draw, &normal);
+  return normal;
+}
+
+void normalsOf(std::span<const NormalDraw> draws, std::span<double> normals)
+{
+  constexpr size_t kTogether = 16;
+  size_t i = 0;
+  for (; i + kTogether <= draws.size(); i += kTogether)
+  {
+    makeNormals<kTogether>(&draws[i], &normals[i]);
+  }
+  for (; i < draws.size(); ++i)
+  {
+    makeNormals<1>(&draws[i], &normals[i]);
   }
 }
 }  // namespace traverse::simulation

@@ -41,18 +41,15 @@ class SummedTerrain : public Terrain
 
   GroundAt at(double x_m, double y_m) const override
   {
-    GroundSum sum;
-    sum.material = material_;
-    sum.label = label_;
-    const Eigen::Vector2d place(x_m, y_m);
-    const size_t bin = binOf(x_m, y_m);
-    for (uint32_t i = begins_[bin]; i < begins_[bin + 1]; ++i)
-    {
-      const Nearby& near = nearby_[i];
-      pieces_[near.piece].add(sum, place, {segments_.data() + near.first, near.count});
-    }
+    const GroundSum sum = sumAt(x_m, y_m, [](const TerrainPiece&) { return true; });
     const double height_m = sum.base_m + sum.rough_m + sum.bumps_m - sum.ditch_m;
     return {height_m, sum.base_m, sum.ditch_m, sum.material, sum.label};
+  }
+
+  GroundAt lookAt(double x_m, double y_m) const override
+  {
+    const GroundSum sum = sumAt(x_m, y_m, [](const TerrainPiece& piece) { return piece.paints(); });
+    return {0, 0, 0, sum.material, sum.label};
   }
 
   bool isSharpIn(const Area& area) const override
@@ -63,6 +60,25 @@ class SummedTerrain : public Terrain
   }
 
  private:
+  template <class Counts>
+  GroundSum sumAt(double x_m, double y_m, const Counts& counts) const
+  {
+    GroundSum sum;
+    sum.material = material_;
+    sum.label = label_;
+    const Eigen::Vector2d place(x_m, y_m);
+    const size_t bin = binOf(x_m, y_m);
+    for (uint32_t i = begins_[bin]; i < begins_[bin + 1]; ++i)
+    {
+      const Nearby& near = nearby_[i];
+      if (counts(pieces_[near.piece]))
+      {
+        pieces_[near.piece].add(sum, place, {segments_.data() + near.first, near.count});
+      }
+    }
+    return sum;
+  }
+
   static size_t binsOf(double length_m)
   {
     return static_cast<size_t>(std::ceil(length_m / kBin_m));

@@ -42,6 +42,9 @@ class TerrainPiece
   /** True where a mesh of 25 cm may lose something of it in the area. */
   bool isSharpIn(const Area& area) const;
 
+  /** The ground looks otherwise there. */
+  bool paints() const { return material_ || label_; }
+
   /** `near`: those pieces of its line that may be in reach. */
   void add(GroundSum& sum, const Eigen::Vector2d& place, std::span<const Segment> near) const;
 

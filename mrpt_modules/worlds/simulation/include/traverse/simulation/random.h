@@ -4,12 +4,24 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 
 namespace traverse::simulation
 {
 /** One well mixed number from several: the same words give the same number, others an independent
  * one. For random numbers that depend on what they are for, not on what was drawn before. */
 uint64_t mixed(std::initializer_list<uint64_t> words);
+
+/** Random bits that a normal number is made of; as it is, of 0. */
+struct NormalDraw
+{
+  double u = 0;
+  double square = 0.5;  //!< in (0, 1)
+};
+
+/** Makes many at once, several times as fast as Random::normal() and with its bits. As many as
+ * there are draws. */
+void normalsOf(std::span<const NormalDraw> draws, std::span<double> normals);
 
 /** Random numbers that a seed gives on every machine: whole-number arithmetic and our own
  * distributions, neither the library's nor libm's (whose results differ between machines). The
@@ -30,6 +42,9 @@ class Random
 
   /** Normal, mean 0, standard deviation 1 (Marsaglia's polar method). */
   double normal();
+
+  /** What normal() would be made of. */
+  NormalDraw drawNormal();
 
   /** In [0, n), n > 0; every number as likely as the others to 2^-32. */
   uint32_t index(uint32_t n) { return static_cast<uint32_t>((bits() >> 32U) * n >> 32U); }

@@ -43,6 +43,9 @@ class Terrain
 
   virtual GroundAt at(double x_m, double y_m) const = 0;
 
+  /** Material and label as at(); its heights mean nothing. For rays, which know the height. */
+  virtual GroundAt lookAt(double x_m, double y_m) const { return at(x_m, y_m); }
+
   /** True where something sharp (ruts, kerbs, ditches, steps) lies in the area, so that it needs a
    * fine mesh. */
   virtual bool isSharpIn(const Area& area) const = 0;
