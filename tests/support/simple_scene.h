@@ -32,6 +32,26 @@ class PlaneTerrain : public simulation::Terrain
   double slope_y_;
 };
 
+/** A plane of one material. */
+class Floor : public PlaneTerrain
+{
+ public:
+  explicit Floor(simulation::Material material, double slope_x = 0) :
+      PlaneTerrain(0, slope_x), material_(material)
+  {
+  }
+
+  simulation::GroundAt at(double x_m, double y_m) const override
+  {
+    simulation::GroundAt ground = PlaneTerrain::at(x_m, y_m);
+    ground.material = material_;
+    return ground;
+  }
+
+ private:
+  simulation::Material material_;
+};
+
 inline simulation::Scene planeScene(double height_m = 0, double slope_x = 0, double slope_y = 0)
 {
   simulation::Scene scene;

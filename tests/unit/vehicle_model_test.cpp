@@ -21,26 +21,6 @@ using geometry::Twist2;
 constexpr double kGravity = 9.81;
 constexpr double kDegree = M_PI / 180;
 
-/** A plane of one material. */
-class Floor : public traverse::testing::PlaneTerrain
-{
- public:
-  explicit Floor(Material material, double slope_x = 0) :
-      PlaneTerrain(0, slope_x), material_(material)
-  {
-  }
-
-  GroundAt at(double x_m, double y_m) const override
-  {
-    GroundAt ground = PlaneTerrain::at(x_m, y_m);
-    ground.material = material_;
-    return ground;
-  }
-
- private:
-  Material material_;
-};
-
 Drivetrain carLike()
 {
   Drivetrain drivetrain;
@@ -51,7 +31,8 @@ Drivetrain carLike()
 VehicleModel modelOn(
     Material material, const Drivetrain& drivetrain, const geometry::Pose2& start = {})
 {
-  return VehicleModel(std::make_shared<Floor>(material), geometry::Vehicle(), drivetrain, start);
+  return VehicleModel(
+      std::make_shared<traverse::testing::Floor>(material), geometry::Vehicle(), drivetrain, start);
 }
 
 double distance(const geometry::Pose2& a, const geometry::Pose2& b)
@@ -206,7 +187,8 @@ TEST(VehicleModel, StandsOnASlopeAndSlidesDownAnIcyOne)
   for (const Material material : {Material::soil, Material::ice})
   {
     VehicleModel model(
-        std::make_shared<Floor>(material, slope), geometry::Vehicle(), Drivetrain(), {});
+        std::make_shared<traverse::testing::Floor>(material, slope), geometry::Vehicle(),
+        Drivetrain(), {});
     model.step({0, 0}, 1);
     // g (sin - mu cos), half of that in a second, less by cos as seen from above
     const double accel = kGravity * (std::sin(12 * kDegree) - 0.1 * std::cos(12 * kDegree));

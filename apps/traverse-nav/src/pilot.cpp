@@ -6,6 +6,7 @@
 #include <traverse/geometry/exact_trig.h>
 #include <traverse/nav_app/pilot.h>
 #include <traverse/navigation/cost_rules.h>
+#include <traverse/navigation/grip.h>
 #include <traverse/navigation/lead_in.h>
 #include <traverse/navigation/obstacle_points.h>
 #include <traverse/points/deskew.h>
@@ -255,6 +256,7 @@ PilotStep Pilot::decide(
 {
   const navigation::SpeedLimit limit = follower_.limitAt(pose, motion, costmap_);
   reactive::Senses senses{now, pose, motion, {}, limit.speed_mps};
+  guard_.standOn(navigation::frictionUnder(costmap_, settings_.robot.vehicle, pose));
   senses.obstacles =
       navigation::obstaclePoints(costmap_, pose, settings_.reactive.reference_distance_m + 1);
   const reactive::Command command = follower_.step(senses, guard_);

@@ -4,6 +4,7 @@
 
 #include "ground_slope.h"
 #include "layer_data.h"
+#include "sure_friction.h"
 
 #include <algorithm>
 #include <array>
@@ -92,6 +93,7 @@ CostFields::CostFields(
     }
   }
   addSlopes(vehicle, params);
+  addFriction(params);
   for (size_t i = 0; i < maps_.size(); ++i)
   {
     if (maps_[i].set != nullptr)
@@ -188,6 +190,28 @@ void CostFields::addPrices(const std::vector<Source>& sources, const PriceRamp& 
   for (size_t i = 0; i < worst_.size(); ++i)
   {
     prices_[i] += worst[i];
+  }
+}
+
+// What several cells say counts once, the least.
+void CostFields::addFriction(const CostParams& params)
+{
+  for (size_t i = 0; i < maps_.size(); ++i)
+  {
+    const LayerSet none;
+    const SureFriction friction(maps_[i].set != nullptr ? *maps_[i].set : none, params);
+    if (!friction.isTold())
+    {
+      continue;
+    }
+    friction_.resize(prices_.size(), kNan);
+    overlaps_[i].forEach([&](size_t theirs, size_t ours)
+                         { friction_[ours] = std::fmin(friction_[ours], friction.at(theirs)); });
+  }
+  const SureFriction prices({}, params);
+  for (size_t i = 0; i < friction_.size(); ++i)
+  {
+    prices_[i] += prices.priceOf(friction_[i]);
   }
 }
 

@@ -41,6 +41,9 @@ class CostFields
 
   std::vector<float> takeHeights() { return std::move(heights_); }
 
+  /** Empty where no map tells any. */
+  std::vector<float> takeFriction() { return std::move(friction_); }
+
  private:
   /** A layer of one of the maps. */
   struct Source
@@ -53,6 +56,7 @@ class CostFields
   void readStates(const Source& source, const LayerRule& rule, const CostParams& params);
   void readHeights(const layers::LayerSet& set, const Overlap& overlap);
   void addSlopes(const geometry::Vehicle& vehicle, const CostParams& params);
+  void addFriction(const CostParams& params);
   void addPrices(const std::vector<Source>& sources, const PriceRamp& ramp);
 
   std::span<const MapLayers> maps_;
@@ -61,6 +65,7 @@ class CostFields
   std::vector<float> prices_;
   std::vector<float> speeds_;
   std::vector<float> heights_;
+  std::vector<float> friction_;
   std::vector<float> worst_;  //!< price of one rule, the worst of all maps
 };
 

@@ -71,8 +71,9 @@ std::span<const LayerRule> layerRules()
 
 layers::LayerChoice costLayers()
 {
-  // beside the rules': slopes and heights
-  std::vector<std::string> names = {"ground_height", "slope_deg", "height_max", "height_min"};
+  // beside the rules': slopes, heights and friction
+  std::vector<std::string> names = {"ground_height", "slope_deg", "height_max",
+                                    "height_min",    "friction",  "friction_deviation"};
   for (const LayerRule& rule : kRules)
   {
     names.emplace_back(rule.layer);

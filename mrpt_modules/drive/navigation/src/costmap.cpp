@@ -153,6 +153,7 @@ Costmap costmapOf(
   costmap.price = fields.takePrices();
   costmap.speed_mps = fields.takeSpeeds();
   costmap.obstacle_m = fields.takeHeights();
+  costmap.friction = fields.takeFriction();
   costmap.passage.resize(costmap.price.size());
   std::vector<uint8_t> states = fields.takeStates();
   openUnderVehicle(costmap, vehicle, states);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <traverse/geometry/frame2.h>
+#include <traverse/navigation/grip.h>
 #include <traverse/navigation/motion_guard.h>
 
 #include <algorithm>
@@ -61,7 +62,8 @@ MotionGuard::MotionGuard(
     const geometry::Drivetrain& drivetrain,
     const GuardParams& params) :
     accel_mps2_(drivetrain.max_accel_mps2),
-    decel_mps2_(drivetrain.max_decel_mps2),
+    brakes_mps2_(drivetrain.max_decel_mps2),
+    decel_mps2_(brakes_mps2_),
     yaw_rate_radps_(drivetrain.max_yaw_rate_degps * geometry::kPi / 180),
     params_(params)
 {
@@ -78,6 +80,11 @@ MotionGuard::MotionGuard(
     edges_.push_back({normal.x(), normal.y(), normal.dot(hull[i])});
     radius_m_ = std::max(radius_m_, hull[i].norm());
   }
+}
+
+void MotionGuard::standOn(double friction)
+{
+  decel_mps2_ = std::fmin(brakes_mps2_, friction * kGravity);  // NaN: the brakes'
 }
 
 double MotionGuard::depth_m(double x_m, double y_m) const

@@ -18,8 +18,8 @@ namespace
 using geometry::CellIndex;
 using geometry::Drivetrain;
 
-constexpr double kGravity = 9.81;  // m/s2
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // friction
 
 void lower(SpeedLimit& limit, double speed_mps, SpeedReason reason)
 {
@@ -80,20 +80,22 @@ double stoppingSpeed(double way_m, double brake_mps2, double reaction_s)
 void limitByUnknown(
     const Path& path,
     const Costmap& costmap,
-    const Grip& grip,
+    const std::vector<Grip>& grips,
     const SpeedParams& params,
     std::vector<SpeedLimit>& limits)
 {
   double unknown_at_m = kInfinity;
+  double brake_mps2 = 0;  // the worst from here to there
   for (size_t i = path.size(); i-- > 0;)
   {
     const std::optional<CellIndex> c = cellOf(costmap, path[i]);
-    unknown_at_m = !c || isUnseen(costmap, *c) ? path[i].along_m : unknown_at_m;
+    const bool is_unseen = !c || isUnseen(costmap, *c);
+    unknown_at_m = is_unseen ? path[i].along_m : unknown_at_m;
+    brake_mps2 = is_unseen ? grips[i].brake_mps2 : std::min(brake_mps2, grips[i].brake_mps2);
     if (unknown_at_m < kInfinity)
     {
       lower(
-          limits[i],
-          stoppingSpeed(unknown_at_m - path[i].along_m, grip.brake_mps2, params.reaction_s),
+          limits[i], stoppingSpeed(unknown_at_m - path[i].along_m, brake_mps2, params.reaction_s),
           SpeedReason::unknown);
     }
   }
@@ -158,31 +160,44 @@ void limitBySteering(
 }
 }  // namespace
 
-Grip gripOf(const Drivetrain& drivetrain, const SpeedParams& params)
-{
-  const double sum = params.friction_margin * params.friction * kGravity;
-  return {std::min(drivetrain.max_decel_mps2, sum), std::min(params.lateral_accel_mps2, sum), sum};
-}
-
-std::vector<SpeedLimit> limitsByPlace(
+std::vector<Grip> gripsAlong(
     const Path& path,
     const Costmap& costmap,
     const Drivetrain& drivetrain,
     const SpeedParams& params)
 {
-  const Grip grip = gripOf(drivetrain, params);
+  std::vector<Grip> grips(path.size(), gripOn(kUnknown, drivetrain, params));
+  for (size_t i = 0; i < path.size() && !costmap.friction.empty(); ++i)
+  {
+    const std::optional<CellIndex> c = cellOf(costmap, path[i]);
+    grips[i] = gripOn(c ? costmap.frictionAt(*c) : kUnknown, drivetrain, params);
+  }
+  return grips;
+}
+
+std::vector<SpeedLimit> limitsByPlace(
+    const Path& path,
+    const std::vector<Grip>& grips,
+    const Costmap& costmap,
+    const Drivetrain& drivetrain,
+    const SpeedParams& params)
+{
+  const Grip usual = gripOn(kUnknown, drivetrain, params);
   std::vector<SpeedLimit> limits(path.size());
   for (size_t i = 0; i < path.size(); ++i)
   {
     limits[i].speed_mps =
         path[i].is_backward ? drivetrain.max_reverse_mps : drivetrain.max_speed_mps;
-    lower(limits[i], curveSpeed(curvatureAt(path, i), drivetrain, grip), SpeedReason::curve);
+    const bool is_slippery = grips[i].lateral_mps2 < usual.lateral_mps2;
+    lower(
+        limits[i], curveSpeed(curvatureAt(path, i), drivetrain, grips[i]),
+        is_slippery ? SpeedReason::grip : SpeedReason::curve);
   }
   if (drivetrain.steering == geometry::Steering::ackermann)
   {
     limitBySteering(path, drivetrain, limits);
   }
-  limitByUnknown(path, costmap, grip, params, limits);
+  limitByUnknown(path, costmap, grips, params, limits);
   limitByCells(path, costmap, params, limits);
   for (size_t i = 0; i < path.size(); ++i)
   {

@@ -41,12 +41,13 @@ double fasterEnd(double slow_mps, const Leg& leg, double most_mps2, double sum_m
   return std::sqrt(u + 2 * std::min(most_mps2, by_grip) * leg.length_m);
 }
 
-void passBackward(
-    const Path& path, double brake_mps2, double sum_mps2, std::vector<SpeedLimit>& limits)
+void passBackward(const Path& path, const std::vector<Grip>& grips, std::vector<SpeedLimit>& limits)
 {
   for (size_t i = path.size() - 1; i-- > 0;)
   {
-    const double most = fasterEnd(limits[i + 1].speed_mps, legOf(path, i), brake_mps2, sum_mps2);
+    const Grip grip = weaker(grips[i], grips[i + 1]);
+    const double most =
+        fasterEnd(limits[i + 1].speed_mps, legOf(path, i), grip.brake_mps2, grip.sum_mps2);
     if (most < limits[i].speed_mps)
     {
       limits[i] = {most, limits[i + 1].reason};
@@ -55,12 +56,16 @@ void passBackward(
 }
 
 void passForward(
-    const Path& path, double accel_mps2, double sum_mps2, std::vector<SpeedLimit>& limits)
+    const Path& path,
+    double accel_mps2,
+    const std::vector<Grip>& grips,
+    std::vector<SpeedLimit>& limits)
 {
   for (size_t i = 1; i < path.size(); ++i)
   {
+    const Grip grip = weaker(grips[i - 1], grips[i]);
     const double most =
-        fasterEnd(limits[i - 1].speed_mps, legOf(path, i - 1), accel_mps2, sum_mps2);
+        fasterEnd(limits[i - 1].speed_mps, legOf(path, i - 1), accel_mps2, grip.sum_mps2);
     if (most < limits[i].speed_mps)
     {
       limits[i] = {most, SpeedReason::vehicle};
@@ -85,6 +90,8 @@ std::string_view nameOf(SpeedReason reason)
       return "end";
     case SpeedReason::clearance:
       return "clearance";
+    case SpeedReason::grip:
+      return "grip";
   }
   return "none";
 }
@@ -96,20 +103,20 @@ std::vector<SpeedLimit> speedProfile(
     double speed_mps,
     const SpeedParams& params)
 {
-  const std::vector<SpeedLimit> by_place = limitsByPlace(path, costmap, drivetrain, params);
+  const std::vector<Grip> grips = gripsAlong(path, costmap, drivetrain, params);
+  const std::vector<SpeedLimit> by_place = limitsByPlace(path, grips, costmap, drivetrain, params);
   std::vector<SpeedLimit> limits = by_place;
   if (path.empty())
   {
     return limits;
   }
-  const Grip grip = gripOf(drivetrain, params);
-  passBackward(path, grip.brake_mps2, grip.sum_mps2, limits);
+  passBackward(path, grips, limits);
   const double start_mps = std::max(std::abs(speed_mps), params.creep_mps);
   if (start_mps < limits.front().speed_mps)
   {
     limits.front() = {start_mps, SpeedReason::vehicle};
   }
-  passForward(path, drivetrain.max_accel_mps2, grip.sum_mps2, limits);
+  passForward(path, drivetrain.max_accel_mps2, grips, limits);
   for (size_t i = 0; i < limits.size(); ++i)
   {
     const double creep = std::min(params.creep_mps, by_place[i].speed_mps);

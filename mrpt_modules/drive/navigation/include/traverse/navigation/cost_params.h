@@ -34,11 +34,30 @@ struct CostParams
   double soft_price = 5;
   double index_price = 4;
   double slope_price = 2;
+  double grip_price = 4;
+  double good_friction = 0.5;
+  double friction_sigmas = 2;
   double small_roughness_mps = 1.5;
   double large_roughness_mps = 0.5;
 
   friend bool operator==(const CostParams&, const CostParams&) = default;
 };
+
+/** What friction does to costs, where a map tells it. */
+template <class P, class F>
+void visitGrip(P& p, F&& f)
+{
+  using options::Option;
+  f(Option{"grip_price", "what ground without any friction adds", {0, 1000}}, p.grip_price);
+  f(Option{"good_friction", "from this coefficient of friction on nothing is added, 1", {0.01, 2}},
+    p.good_friction);
+  f(
+      Option{
+          "friction_sigmas",
+          "a map's friction counts for less by so many of its standard deviations",
+          {0, 10}},
+      p.friction_sigmas);
+}
 
 template <class P, class F>
 requires std::same_as<std::remove_const_t<P>, CostParams>
@@ -80,6 +99,7 @@ void visit(P& p, F&& f)
           {0, 1000}},
       p.index_price);
   f(Option{"slope_price", "what the vehicle's steepest slope adds", {0, 1000}}, p.slope_price);
+  visitGrip(p, f);
   f(Option{"small_roughness_mps", "highest speed over small roughness, m/s", {0.05, 60}},
     p.small_roughness_mps);
   f(Option{"large_roughness_mps", "highest speed over large roughness, m/s", {0.05, 60}},

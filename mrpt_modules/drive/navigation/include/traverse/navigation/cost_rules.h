@@ -29,6 +29,10 @@
 //   ground_height           m                       price + slope_price * slope / max_slope_deg,
 //                                                   slope_price at most; slope over 1.2 m
 //   slope_deg               deg                     likewise, where ground_height is not known
+//   friction                coefficient             highest accelerations; price + grip_price times
+//                                                   (1 - friction / good_friction), 0 at least
+//   friction_deviation      standard deviation      friction counts for less by friction_sigmas
+//                                                   times it
 //
 // NaN says nothing, and so does a code that is not in the table. A slope alone is no obstacle, and
 // that of a single cell is the last resort: it is fitted to few points of one or two rings, and
@@ -66,7 +70,7 @@ struct LayerRule
   PriceRamp (*ramp)(const geometry::Vehicle&, const CostParams&) = nullptr;
 };
 
-/** All rows but those of slopes. */
+/** All rows but those of slopes and friction. */
 std::span<const LayerRule> layerRules();
 
 /** All layers that costmapOf() and explainCost() read. */

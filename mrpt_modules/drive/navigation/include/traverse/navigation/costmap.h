@@ -43,7 +43,8 @@ struct Costmap
   std::vector<float> price;      //!< of a metre, >= kLeastPrice; also where nothing may drive
   std::vector<float> speed_mps;  //!< highest speed that the ground allows; infinity: no limit
   std::vector<float>
-      obstacle_m;  //!< what stands there over the ground, m; NaN: nothing or not known
+      obstacle_m;               //!< what stands there over the ground, m; NaN: nothing or not known
+  std::vector<float> friction;  //!< coefficient that maps are sure of; NaN, or empty: none knows it
   std::vector<geometry::CellIndex> strip;  //!< cells cut out of soft buffers that meet
   bool is_unknown_planned = true;          //!< CostParams::unknown is not UnknownPolicy::never
 
@@ -61,6 +62,13 @@ struct Costmap
     return lattice.cellOf(geometry::toMillimetres(x_m), geometry::toMillimetres(y_m));
   }
 
+  /** NaN where no map knows it. */
+  double frictionAt(geometry::CellIndex c) const
+  {
+    return !friction.empty() && extent.contains(c) ? static_cast<double>(friction[indexOf(c)])
+                                                   : std::numeric_limits<double>::quiet_NaN();
+  }
+
   /** unknown outside the extent. */
   Passage passageAt(geometry::CellIndex c) const
   {
@@ -76,7 +84,8 @@ struct MapLayers
 };
 
 /** Puts the layers of any maps together. Each layer is known by its name (cost_rules.h); a cell is
- * what the worst of its layers says, prices add up, and speeds are the lowest. Maps may have cells
+ * what the worst of its layers says, prices add up, speeds and friction are the lowest. Maps may
+ * have cells
  * of other sizes: a cell of the costmap counts all cells of theirs that overlap it. Buffers are
  * grown around the obstacles of all maps together (hardBuffer_m() of cost_rules.h); the unknown has
  * part in them where it may be planned through. What several maps say in layers of one name counts

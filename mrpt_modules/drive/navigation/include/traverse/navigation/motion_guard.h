@@ -48,6 +48,9 @@ class MotionGuard
       const geometry::Drivetrain& drivetrain,
       const GuardParams& params);
 
+  /** Brakes by no more than this friction from now on; NaN: by what the vehicle's brakes give. */
+  void standOn(double friction);
+
   /** Obstacles are points of the vehicle frame. A vehicle that moves is held against the arc that
    * it drives and the arc that it is told to drive; both must be free as far as it takes to stop.
    * What is within the margin already hinders only motion that comes nearer. */
@@ -75,7 +78,8 @@ class MotionGuard
   std::vector<Edge> edges_;  // of the footprint's convex hull
   double radius_m_ = 0;
   double accel_mps2_;
-  double decel_mps2_;
+  double brakes_mps2_;
+  double decel_mps2_;  // of the brakes, as far as the ground takes it
   double yaw_rate_radps_;
   GuardParams params_;
 };

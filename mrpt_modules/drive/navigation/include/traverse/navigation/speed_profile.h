@@ -34,8 +34,7 @@ void visit(P& p, F&& f)
 {
   using options::Option;
   f(Option{"lateral_accel_mps2", "most in curves, m/s2", {0.05, 20}}, p.lateral_accel_mps2);
-  f(Option{"friction", "coefficient of friction where no map knows better, 1", {0.01, 2}},
-    p.friction);
+  f(Option{"friction", "coefficient of friction where no map knows it, 1", {0.01, 2}}, p.friction);
   f(
       Option{
           "friction_margin",
@@ -56,6 +55,7 @@ enum class SpeedReason : uint8_t
   unknown,    //!< it must be able to stop before what no map has seen
   end,        //!< it must stop at the path's end, or where it turns round
   clearance,  //!< a hard buffer is nearer than it gets within reaction_s
+  grip,       //!< a curve on ground of less friction than SpeedParams::friction
 };
 
 /** For people and reports: "vehicle" ... */
@@ -70,7 +70,8 @@ struct SpeedLimit
 
 /** One for each point of the path, from `speed_mps` at its beginning on: limits at each point by
  * itself, then passes backward and forward so that no acceleration is above the drivetrain's, nor,
- * together with that of the curve, above friction_margin * friction * g. Stops (0) at the end and
+ * together with that of the curve, above friction_margin * friction * g, by Costmap::friction under
+ * the vehicle's middle where it is known. Stops (0) at the end and
  * where the path changes between forward and backward; elsewhere it is creep_mps at least, or the
  * vehicle's highest speed where that is less.
  *

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the Traverse authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <traverse/layers/layer_set.h>
+#include <traverse/navigation/cost_params.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace traverse::navigation
+{
+/** The friction that a map is sure of, and what it adds to the price of a metre. */
+class SureFriction
+{
+ public:
+  SureFriction(const layers::LayerSet& set, const CostParams& params);
+
+  /** The map has a layer to tell it by. */
+  bool isTold() const { return mean_ != nullptr; }
+
+  /** Coefficient, kLeastFriction at least; NaN where the map does not know it. */
+  float at(size_t cell) const;
+
+  /** 0 for NaN. */
+  float priceOf(float friction) const;
+
+  static constexpr float kLeastFriction = 0.01F;  //!< nothing on the ground is smoother
+
+ private:
+  const std::vector<float>* mean_;
+  const std::vector<float>* deviation_;
+  float sigmas_;
+  float price_;
+  float good_;
+};
+}  // namespace traverse::navigation
