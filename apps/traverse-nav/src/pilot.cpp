@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cost_window.h"
-#include "open_near.h"
 
 #include <traverse/geometry/exact_trig.h>
 #include <traverse/nav_app/pilot.h>
@@ -9,6 +8,7 @@
 #include <traverse/navigation/grip.h>
 #include <traverse/navigation/lead_in.h>
 #include <traverse/navigation/obstacle_points.h>
+#include <traverse/navigation/open_near.h>
 #include <traverse/points/deskew.h>
 
 #include <algorithm>
@@ -186,7 +186,7 @@ navigation::Plan Pilot::planToGoal(const geometry::Pose2& pose)
   {
     return planner_.plan(costmap_, pose, *goal_);
   }
-  const auto near = openNear(costmap_, *goal_);
+  const auto near = navigation::openNear(costmap_, *goal_, pose);
   if (!near || geometry::distance_m(pose, placeOf(*near)) < settings_.plan.goal_tolerance_m)
   {
     navigation::Plan none;
