@@ -36,8 +36,9 @@ geometry::Drivetrain robot()
 Path arc(double curvature_1pm)
 {
   Path path;
-  for (double along_m = 0; along_m <= kWay_m + 1e-9; along_m += 0.1)
+  for (int i = 0; i <= 10 * kWay_m; ++i)
   {
+    const double along_m = 0.1 * i;
     const double turn = along_m * curvature_1pm;
     const geometry::Pose2 pose =
         curvature_1pm == 0

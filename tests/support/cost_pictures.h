@@ -96,6 +96,7 @@ inline navigation::Costmap costsOf(
     const geometry::Pose2& stand = kFarAway)
 {
   std::vector<navigation::MapLayers> maps;
+  maps.reserve(sets.size());
   for (const layers::LayerSet& set : sets)
   {
     maps.push_back({"map " + std::to_string(maps.size()), &set});

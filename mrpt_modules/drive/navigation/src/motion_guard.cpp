@@ -49,9 +49,11 @@ std::vector<Stage> stagesOf(const geometry::Twist2& arc, double most_m)
   const double curvature = arc.speed_mps == 0 ? 0 : arc.yaw_rate_radps / arc.speed_mps;
   const double side = arc.speed_mps < 0 ? -1 : 1;
   std::vector<Stage> stages;
-  for (double way_m = kStep_m; way_m < most_m + kStep_m; way_m += kStep_m)
+  double way_m = kStep_m;
+  while (way_m < most_m + kStep_m)
   {
     stages.push_back({way_m, geometry::Frame2::of(along(side * way_m, curvature))});
+    way_m += kStep_m;
   }
   return stages;
 }
