@@ -4,7 +4,6 @@
 traverse_test(unit costmap_test USES navigation)
 traverse_test(unit costmap_maps_test USES navigation)
 traverse_test(unit explain_cost_test USES navigation)
-traverse_test(unit open_near_test USES navigation)
 traverse_test(unit obstacle_points_test USES navigation)
 traverse_test(unit motion_guard_test USES navigation)
 traverse_test(unit speed_profile_test USES navigation)

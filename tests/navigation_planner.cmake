@@ -3,6 +3,7 @@
 # Tests of how ways are found.
 traverse_test(oracle price_field_test USES navigation)
 traverse_test(unit planner_test USES navigation)
+traverse_test(unit plan_near_test USES navigation)
 traverse_test(unit replan_test USES navigation)
 traverse_test(property grid_plan_test USES navigation)
 traverse_test(unit hybrid_plan_test USES navigation)

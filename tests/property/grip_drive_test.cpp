@@ -54,7 +54,7 @@ Path arc(double curvature_1pm)
 Costmap around(bool tells_friction, Material material)
 {
   layers::LayerSet set = occupancyOf(CostPicture(250, std::string(250, '.')));
-  set.extent = {{-10, -10}, {240, 240}};
+  set.extent = {{-100, -100}, {150, 150}};
   if (tells_friction)
   {
     withLayer(set, "friction", static_cast<float>(simulation::frictionOf(material)));
@@ -67,6 +67,7 @@ struct Driven
   double way_m = 0;
   double last_mps = 0;
   int slips = 0;  // steps
+  int steps = 0;  // until it stood
 };
 
 /** At a place between two points of a path, evenly accelerated from one to the other. */
@@ -97,6 +98,7 @@ Driven drive(Material material, double curvature_1pm, bool tells_friction)
     driven.last_mps = vehicle.state().twist.speed_mps;
     driven.way_m += driven.last_mps * kStep_s;
     driven.slips += vehicle.state().slips ? 1 : 0;
+    driven.steps += driven.last_mps != 0 ? 1 : 0;
   }
   return driven;
 }
@@ -124,5 +126,6 @@ TEST(GripDrive, IsNoSlowerWhereGripIsGood)
   const Driven blind = drive(Material::asphalt, 0, false);
   EXPECT_EQ(told.slips, 0);
   EXPECT_EQ(told.way_m, blind.way_m);
+  EXPECT_EQ(told.steps, blind.steps);
 }
 }  // namespace

@@ -169,8 +169,8 @@ TEST(RandomScene, GroundLooksAsItIs)
       const int row = i / 100;
       const double x = -35 + (i % 100) * 0.71;
       const double y = -35 + row * 0.71;
-      ASSERT_EQ(terrain->lookAt(x, y).label, terrain->at(x, y).label) << x << " " << y;
-      ASSERT_EQ(terrain->lookAt(x, y).material, terrain->at(x, y).material) << x << " " << y;
+      ASSERT_EQ(terrain->look(x, y).label, terrain->at(x, y).label) << x << " " << y;
+      ASSERT_EQ(terrain->look(x, y).material, terrain->at(x, y).material) << x << " " << y;
     }
   }
 }

@@ -8,7 +8,6 @@
 #include <traverse/navigation/grip.h>
 #include <traverse/navigation/lead_in.h>
 #include <traverse/navigation/obstacle_points.h>
-#include <traverse/navigation/open_near.h>
 #include <traverse/points/deskew.h>
 
 #include <algorithm>
@@ -186,16 +185,7 @@ navigation::Plan Pilot::planToGoal(const geometry::Pose2& pose)
   {
     return planner_.plan(costmap_, pose, *goal_);
   }
-  const auto near = navigation::openNear(costmap_, *goal_, pose);
-  if (!near || geometry::distance_m(pose, placeOf(*near)) < settings_.plan.goal_tolerance_m)
-  {
-    navigation::Plan none;
-    none.why_not = "the goal lies in an obstacle or its hard buffer";
-    return none;
-  }
-  navigation::Plan plan = planner_.plan(costmap_, pose, *near);
-  plan.is_whole = false;  // looked at again on the way
-  return plan;
+  return planner_.planNear(costmap_, pose, *goal_);  // and looked at again on the way
 }
 
 bool Pilot::isGoalBlocked() const

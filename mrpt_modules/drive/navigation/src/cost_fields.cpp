@@ -208,10 +208,9 @@ void CostFields::addFriction(const CostParams& params)
     overlaps_[i].forEach([&](size_t theirs, size_t ours)
                          { friction_[ours] = std::fmin(friction_[ours], friction.at(theirs)); });
   }
-  const SureFriction prices({}, params);
   for (size_t i = 0; i < friction_.size(); ++i)
   {
-    prices_[i] += prices.priceOf(friction_[i]);
+    prices_[i] += priceOfFriction(friction_[i], params);
   }
 }
 

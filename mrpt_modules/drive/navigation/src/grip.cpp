@@ -32,6 +32,10 @@ double frictionUnder(
   {
     return least;
   }
+  if (std::abs(pose.x_m) <= geometry::kFarthest_m && std::abs(pose.y_m) <= geometry::kFarthest_m)
+  {
+    least = costmap.frictionAt(costmap.cellAt(pose.x_m, pose.y_m));
+  }
   const Outline outline(vehicle, pose);
   const geometry::CellRect near = outline.cellsIn(costmap.lattice, costmap.extent);
   for (geometry::CellIndex c = near.min; c.y < near.max.y; ++c.y)

@@ -122,7 +122,8 @@ void MapWitness::tellFriction(const CostParams& params, std::vector<Fact>& facts
   overlap_.forEach([&](size_t theirs, size_t) { least = std::fmin(least, friction.at(theirs)); });
   facts.push_back(
       {map_.name + ": friction",
-       std::isnan(least) ? "not known"
-                         : inShort(least) + " for sure: " + textOf({}, friction.priceOf(least))});
+       std::isnan(least)
+           ? "not known"
+           : inShort(least) + " for sure: " + textOf({}, priceOfFriction(least, params))});
 }
 }  // namespace traverse::navigation

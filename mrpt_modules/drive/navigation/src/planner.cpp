@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Traverse authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "attempts.h"
-#include "known_ends.h"
+#include "plan_ends.h"
+#include "way_out.h"
 
 #include <traverse/navigation/grid_path.h>
 #include <traverse/navigation/hybrid_search.h>
@@ -20,23 +21,6 @@ bool isUsable(Place place)
 {
   return std::abs(place.x_m) <= geometry::kFarthest_m &&  // not NaN
          std::abs(place.y_m) <= geometry::kFarthest_m;
-}
-
-/** Where the last leg that touches a hard or an obstacle cell ends. */
-double wayOut_m(const Costmap& costmap, const Path& path)
-{
-  const auto is_passed = [&](geometry::CellIndex c, double)
-  { return costmap.passageAt(c) < Passage::hard; };
-  for (size_t k = path.size(); k-- > 1;)
-  {
-    const geometry::Pose2& a = path[k - 1].pose;
-    const geometry::Pose2& b = path[k].pose;
-    if (!overCells({a.x_m, a.y_m}, {b.x_m, b.y_m}, costmap.lattice, is_passed))
-    {
-      return path[k].along_m;
-    }
-  }
-  return 0;
 }
 
 Plan none(std::string why_not)
@@ -91,7 +75,13 @@ class Planner::Impl
   {
   }
 
-  Plan plan(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal)
+  enum class Aim : uint8_t
+  {
+    at,    // the goal, or towards it where it is not known
+    near,  // it
+  };
+
+  Plan plan(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal, Aim aim)
   {
     const Place from = {start.x_m, start.y_m};
     const Place to = {goal.x_m, goal.y_m};
@@ -103,7 +93,8 @@ class Planner::Impl
     Plan way;
     for (const Attempt& attempt : attempts_.in(costmap))
     {
-      way = planBy(attempt, costmap, start, goal);
+      attempt_ = attempt;
+      way = planBy(costmap, start, goal, aim);
       if (!way.path.empty())
       {
         break;
@@ -113,13 +104,8 @@ class Planner::Impl
   }
 
  private:
-  Plan planBy(
-      const Attempt& attempt,
-      const Costmap& costmap,
-      const geometry::Pose2& start,
-      const Goal& goal)
+  Plan planBy(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal, Aim aim)
   {
-    attempt_ = attempt;
     const Place from = {start.x_m, start.y_m};
     const Place to = {goal.x_m, goal.y_m};
     terrain_.set(costmap);
@@ -127,12 +113,22 @@ class Planner::Impl
     {
       return none("the vehicle is outside the costmap");
     }
-    terrain_.openBesideStrips(costmap, attempt.beside_strip, attempt.room);
+    terrain_.openBesideStrips(costmap, attempt_.beside_strip, attempt_.room);
     terrain_.openWayOut(costmap, cellOf(from, terrain_.lattice()), footprint_.radius_m());
     const bool is_within = terrain_.covers(to) &&
                            (costmap.is_unknown_planned ||
                             costmap.passageAt(cellOf(to, terrain_.lattice())) != Passage::unknown);
-    Plan plan = is_within ? planTo(costmap, start, goal) : planTowards(costmap, start, to);
+    Plan plan;
+    if (aim == Aim::near)
+    {
+      plan = planToOneOf(placesNear(costmap, terrain_, to, kNearness), costmap, start);
+      plan = goesOn(plan) ? plan : none("it is as near to the goal as it can come");
+    }
+    else
+    {
+      plan = is_within ? planTo(costmap, start, goal)
+                       : planToOneOf(endsOfTheKnown(costmap, terrain_, to), costmap, start);
+    }
     plan.way_out_m = wayOut_m(costmap, plan.path);
     plan.heeds_footprint = is_hybrid_;
     return plan;
@@ -158,9 +154,17 @@ class Planner::Impl
     return plan;
   }
 
-  Plan planTowards(const Costmap& costmap, const geometry::Pose2& start, Place to)
+  bool goesOn(const Plan& plan) const
   {
-    field_.start(terrain_, endsOfTheKnown(costmap, terrain_, to));
+    return !plan.path.empty() &&
+           geometry::distance_m(plan.path.front().pose, plan.path.back().pose) >
+               params_.goal_tolerance_m;
+  }
+
+  Plan planToOneOf(
+      std::span<const PriceField::Seed> ends, const Costmap& costmap, const geometry::Pose2& start)
+  {
+    field_.start(terrain_, ends);
     if (!isReached(start))
     {
       return none("no way leads out of what is known");
@@ -275,6 +279,11 @@ Planner& Planner::operator=(Planner&&) noexcept = default;
 
 Plan Planner::plan(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal)
 {
-  return impl_->plan(costmap, start, goal);
+  return impl_->plan(costmap, start, goal, Impl::Aim::at);
+}
+
+Plan Planner::planNear(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal)
+{
+  return impl_->plan(costmap, start, goal, Impl::Aim::near);
 }
 }  // namespace traverse::navigation

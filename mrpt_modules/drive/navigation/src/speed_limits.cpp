@@ -188,10 +188,10 @@ std::vector<SpeedLimit> limitsByPlace(
   {
     limits[i].speed_mps =
         path[i].is_backward ? drivetrain.max_reverse_mps : drivetrain.max_speed_mps;
-    const bool is_slippery = grips[i].lateral_mps2 < usual.lateral_mps2;
-    lower(
-        limits[i], curveSpeed(curvatureAt(path, i), drivetrain, grips[i]),
-        is_slippery ? SpeedReason::grip : SpeedReason::curve);
+    const double curvature_1pm = curvatureAt(path, i);
+    const double most_mps = curveSpeed(curvature_1pm, drivetrain, grips[i]);
+    const bool is_slippery = most_mps < curveSpeed(curvature_1pm, drivetrain, usual);
+    lower(limits[i], most_mps, is_slippery ? SpeedReason::grip : SpeedReason::curve);
   }
   if (drivetrain.steering == geometry::Steering::ackermann)
   {

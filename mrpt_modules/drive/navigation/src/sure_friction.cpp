@@ -12,9 +12,7 @@ namespace traverse::navigation
 SureFriction::SureFriction(const layers::LayerSet& set, const CostParams& params) :
     mean_(dataOf<float>(set, "friction")),
     deviation_(dataOf<float>(set, "friction_deviation")),
-    sigmas_(static_cast<float>(params.friction_sigmas)),
-    price_(static_cast<float>(params.grip_price)),
-    good_(static_cast<float>(params.good_friction))
+    sigmas_(static_cast<float>(params.friction_sigmas))
 {
 }
 
@@ -30,8 +28,10 @@ float SureFriction::at(size_t cell) const
   return std::max(sure, kLeastFriction);
 }
 
-float SureFriction::priceOf(float friction) const
+float priceOfFriction(float friction, const CostParams& params)
 {
-  return friction < good_ ? price_ * (1 - friction / good_) : 0;
+  const auto good = static_cast<float>(params.good_friction);
+  const auto price = static_cast<float>(params.grip_price);
+  return friction < good ? price * (1 - friction / good) : 0;
 }
 }  // namespace traverse::navigation

@@ -10,7 +10,7 @@
 
 namespace traverse::navigation
 {
-/** The friction that a map is sure of, and what it adds to the price of a metre. */
+/** The friction that a map is sure of. */
 class SureFriction
 {
  public:
@@ -22,16 +22,14 @@ class SureFriction
   /** Coefficient, kLeastFriction at least; NaN where the map does not know it. */
   float at(size_t cell) const;
 
-  /** 0 for NaN. */
-  float priceOf(float friction) const;
-
-  static constexpr float kLeastFriction = 0.01F;  //!< nothing on the ground is smoother
+  static constexpr float kLeastFriction = 0.05F;  //!< wet ice's: nothing on the ground is smoother
 
  private:
   const std::vector<float>* mean_;
   const std::vector<float>* deviation_;
   float sigmas_;
-  float price_;
-  float good_;
 };
+
+/** What a coefficient of friction adds to the price of a metre; 0 for NaN. */
+float priceOfFriction(float friction, const CostParams& params);
 }  // namespace traverse::navigation

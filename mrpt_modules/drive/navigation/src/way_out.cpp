@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells that are opened for one plan because the vehicle stands, or the goal lies, where nothing is
 // planned.
+#include "way_out.h"
+
 #include "room.h"
 
 #include <traverse/layers/distance_transform.h>
+#include <traverse/navigation/cell_walk.h>
 #include <traverse/navigation/terrain.h>
 
 namespace traverse::navigation
@@ -148,5 +151,21 @@ void Terrain::openWayOut(const Costmap& costmap, CellIndex from, double radius_m
         });
   }
   openSoftAround(costmap, passed);
+}
+
+double wayOut_m(const Costmap& costmap, const Path& path)
+{
+  const auto is_passed = [&](geometry::CellIndex c, double)
+  { return costmap.passageAt(c) < Passage::hard; };
+  for (size_t k = path.size(); k-- > 1;)
+  {
+    const geometry::Pose2& a = path[k - 1].pose;
+    const geometry::Pose2& b = path[k].pose;
+    if (!overCells({a.x_m, a.y_m}, {b.x_m, b.y_m}, costmap.lattice, is_passed))
+    {
+      return path[k].along_m;
+    }
+  }
+  return 0;
 }
 }  // namespace traverse::navigation

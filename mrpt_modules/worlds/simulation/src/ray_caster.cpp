@@ -156,7 +156,7 @@ class RayCaster::Impl
     if (found.is_ground)
     {
       const Eigen::Vector3d p = ray.origin + hit.range_m * ray.direction;
-      const GroundAt ground = terrain_->lookAt(p.x(), p.y());
+      const GroundLook ground = terrain_->look(p.x(), p.y());
       hit.label = ground.label;
       hit.material = ground.material;
     }

@@ -46,10 +46,10 @@ class SummedTerrain : public Terrain
     return {height_m, sum.base_m, sum.ditch_m, sum.material, sum.label};
   }
 
-  GroundAt lookAt(double x_m, double y_m) const override
+  GroundLook look(double x_m, double y_m) const override
   {
     const GroundSum sum = sumAt(x_m, y_m, [](const TerrainPiece& piece) { return piece.paints(); });
-    return {0, 0, 0, sum.material, sum.label};
+    return {sum.material, sum.label};
   }
 
   bool isSharpIn(const Area& area) const override

@@ -26,7 +26,8 @@ Grip gripOn(double friction, const geometry::Drivetrain& drivetrain, const Speed
 /** The worse of two in everything. */
 Grip weaker(const Grip& a, const Grip& b);
 
-/** Least friction of the cells whose middle is under the footprint; NaN where no map knows it. */
+/** Least friction of the cell under the pose and of those whose middle is under the footprint; NaN
+ * where no map knows it. */
 double frictionUnder(
     const Costmap& costmap, const geometry::Vehicle& vehicle, const geometry::Pose2& pose);
 }  // namespace traverse::navigation

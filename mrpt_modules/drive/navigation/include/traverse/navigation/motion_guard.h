@@ -48,7 +48,8 @@ class MotionGuard
       const geometry::Drivetrain& drivetrain,
       const GuardParams& params);
 
-  /** Brakes by no more than this friction from now on; NaN: by what the vehicle's brakes give. */
+  /** Brakes by no more than this friction from now on; NaN: by what the vehicle's brakes give. Of
+   * ground that it comes to while it brakes the guard knows nothing. */
   void standOn(double friction);
 
   /** Obstacles are points of the vehicle frame. A vehicle that moves is held against the arc that

@@ -63,6 +63,13 @@ class Planner
 
   Plan plan(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal);
 
+  /** As near to a goal as is worth the way: from far off ground may look blocked that is not, and
+   * is to be looked at from there. A metre nearer is worth kNearness of way. Never whole; without a
+   * path where the vehicle should stay within PlanParams::goal_tolerance_m of where it is. */
+  Plan planNear(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal);
+
+  static constexpr double kNearness = 5;
+
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

@@ -19,8 +19,7 @@ struct NormalDraw
   double square = 0.5;  //!< in (0, 1)
 };
 
-/** Makes many at once, several times as fast as Random::normal() and with its bits. As many as
- * there are draws. */
+/** Makes many at once, with the bits of Random::normal(). As many as there are draws. */
 void normalsOf(std::span<const NormalDraw> draws, std::span<double> normals);
 
 /** Random numbers that a seed gives on every machine: whole-number arithmetic and our own

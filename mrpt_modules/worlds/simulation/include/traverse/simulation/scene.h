@@ -35,6 +35,13 @@ struct GroundAt
   Label label = Label::ground;
 };
 
+/** What the ground is made of at a place. */
+struct GroundLook
+{
+  Material material = Material::soil;
+  Label label = Label::ground;
+};
+
 /** The ground of a scene as functions of place. The same bits on every machine (no libm). */
 class Terrain
 {
@@ -43,8 +50,12 @@ class Terrain
 
   virtual GroundAt at(double x_m, double y_m) const = 0;
 
-  /** Material and label as at(); its heights mean nothing. For rays, which know the height. */
-  virtual GroundAt lookAt(double x_m, double y_m) const { return at(x_m, y_m); }
+  /** As at() says; for rays, which know the height. */
+  virtual GroundLook look(double x_m, double y_m) const
+  {
+    const GroundAt ground = at(x_m, y_m);
+    return {ground.material, ground.label};
+  }
 
   /** True where something sharp (ruts, kerbs, ditches, steps) lies in the area, so that it needs a
    * fine mesh. */
