@@ -130,7 +130,10 @@ nlohmann::json driveAll(uint64_t seed, const std::string& poses)
     {
       add(world + "_" + vehicle, {world, vehicle, "default", poses});
     }
-    add("tunnel_no_strip_" + vehicle, {"tunnel", vehicle, "none", poses});
+    if (poses == "exact")
+    {
+      add("tunnel_no_strip_" + vehicle, {"tunnel", vehicle, "none", poses});
+    }
   }
   return all;
 }

@@ -85,12 +85,11 @@ struct MapLayers
 
 /** Puts the layers of any maps together. Each layer is known by its name (cost_rules.h); a cell is
  * what the worst of its layers says, prices add up, speeds and friction are the lowest. Maps may
- * have cells
- * of other sizes: a cell of the costmap counts all cells of theirs that overlap it. Buffers are
- * grown around the obstacles of all maps together (hardBuffer_m() of cost_rules.h); the unknown has
- * part in them where it may be planned through. What several maps say in layers of one name counts
- * once, the worst of it. Cells under the vehicle's own footprint, where it stands, that no map saw
- * are open. Cells that one map knows and another does not are known.
+ * have cells of other sizes: a cell of the costmap counts all cells of theirs that overlap it.
+ * Buffers are grown around the obstacles of all maps together (hardBuffer_m() of cost_rules.h); the
+ * unknown has part in them where it may be planned through. What several maps say in layers of one
+ * name counts once, the worst of it. Cells under the vehicle's own footprint, where it stands, that
+ * no map saw are open. Cells that one map knows and another does not are known.
  *
  * Throws std::invalid_argument where the extent is empty or has more than 4096 cells along an edge,
  * a layer has not as many cells as its map, or buffers are out of layers::safetyBuffer's range. */

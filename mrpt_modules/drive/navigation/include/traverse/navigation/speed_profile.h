@@ -71,9 +71,9 @@ struct SpeedLimit
 /** One for each point of the path, from `speed_mps` at its beginning on: limits at each point by
  * itself, then passes backward and forward so that no acceleration is above the drivetrain's, nor,
  * together with that of the curve, above friction_margin * friction * g, by Costmap::friction under
- * the vehicle's middle where it is known. Stops (0) at the end and
- * where the path changes between forward and backward; elsewhere it is creep_mps at least, or the
- * vehicle's highest speed where that is less.
+ * the vehicle's middle where it is known. Stops (0) at the end and where the path changes between
+ * forward and backward; elsewhere it is creep_mps at least, or the vehicle's highest speed where
+ * that is less.
  *
  * Within v reaction_s + v^2 / (2 deceleration) of the first unknown cell on its way it stands. A
  * cell that is unknown amid four known ones is a gap between beams and does not count. */
