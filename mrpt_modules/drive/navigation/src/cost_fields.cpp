@@ -24,6 +24,13 @@ using layers::OccupancyState;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr size_t kCodes = 256;
 
+/** Of a map that has none: an empty set. */
+const LayerSet& layersOf(const MapLayers& map)
+{
+  static const LayerSet kNone;
+  return map.set != nullptr ? *map.set : kNone;
+}
+
 /** What a layer's codes say, asked once for each. */
 struct CodeTable
 {
@@ -77,7 +84,7 @@ CostFields::CostFields(
   heights_.resize(size, kNan);
   for (const MapLayers& map : maps_)
   {
-    overlaps_.emplace_back(map.set != nullptr ? *map.set : LayerSet{}, frame.lattice, frame.extent);
+    overlaps_.emplace_back(layersOf(map), frame.lattice, frame.extent);
   }
   for (const LayerRule& rule : layerRules())
   {
@@ -96,10 +103,7 @@ CostFields::CostFields(
   addFriction(params);
   for (size_t i = 0; i < maps_.size(); ++i)
   {
-    if (maps_[i].set != nullptr)
-    {
-      readHeights(*maps_[i].set, overlaps_[i]);
-    }
+    readHeights(layersOf(maps_[i]), overlaps_[i]);
   }
 }
 
@@ -108,7 +112,7 @@ std::vector<CostFields::Source> CostFields::sourcesOf(std::string_view layer) co
   std::vector<Source> sources;
   for (size_t i = 0; i < maps_.size(); ++i)
   {
-    const Layer* found = maps_[i].set != nullptr ? maps_[i].set->find(layer) : nullptr;
+    const Layer* found = layersOf(maps_[i]).find(layer);
     if (found != nullptr)
     {
       sources.push_back({found, &overlaps_[i]});
@@ -198,8 +202,7 @@ void CostFields::addFriction(const CostParams& params)
 {
   for (size_t i = 0; i < maps_.size(); ++i)
   {
-    const LayerSet none;
-    const SureFriction friction(maps_[i].set != nullptr ? *maps_[i].set : none, params);
+    const SureFriction friction(layersOf(maps_[i]), params);
     if (!friction.isTold())
     {
       continue;
@@ -219,14 +222,13 @@ void CostFields::addSlopes(const geometry::Vehicle& vehicle, const CostParams& p
   worst_.clear();
   for (size_t i = 0; i < maps_.size(); ++i)
   {
-    const LayerSet none;
-    const GroundSlope slope(maps_[i].set != nullptr ? *maps_[i].set : none, vehicle, params);
+    const GroundSlope slope(layersOf(maps_[i]), vehicle, params);
     if (!slope.isTold())
     {
       continue;
     }
     worst_.resize(prices_.size(), 0);
-    const auto columns = static_cast<size_t>(maps_[i].set->extent.width());
+    const auto columns = static_cast<size_t>(layersOf(maps_[i]).extent.width());
     overlaps_[i].forEachRun(
         [&](size_t theirs, size_t ours, size_t length)
         {

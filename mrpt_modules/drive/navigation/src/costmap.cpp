@@ -32,20 +32,15 @@ void checkExtent(const geometry::CellRect& extent)
 void openUnderVehicle(
     const Costmap& costmap, const geometry::Vehicle& vehicle, std::vector<uint8_t>& states)
 {
-  const Outline outline(vehicle, costmap.stand);
-  const geometry::CellRect near = outline.cellsIn(costmap.lattice, costmap.extent);
-  for (geometry::CellIndex c = near.min; c.y < near.max.y; ++c.y)
+  const auto open = [&](geometry::CellIndex c)
   {
-    for (c.x = near.min.x; c.x < near.max.x; ++c.x)
+    uint8_t& state = states[costmap.indexOf(c)];
+    if (state == static_cast<uint8_t>(OccupancyState::unknown))
     {
-      uint8_t& state = states[costmap.indexOf(c)];
-      if (state == static_cast<uint8_t>(OccupancyState::unknown) &&
-          outline.containsMiddle(costmap.lattice, c))
-      {
-        state = static_cast<uint8_t>(OccupancyState::free);
-      }
+      state = static_cast<uint8_t>(OccupancyState::free);
     }
-  }
+  };
+  Outline(vehicle, costmap.stand).forEachMiddle(costmap.lattice, costmap.extent, open);
 }
 
 std::vector<uint8_t> zonesOf(

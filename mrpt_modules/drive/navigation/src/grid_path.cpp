@@ -10,13 +10,6 @@ namespace traverse::navigation
 {
 namespace
 {
-double distance_m(Place a, Place b)
-{
-  const double dx = b.x_m - a.x_m;
-  const double dy = b.y_m - a.y_m;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 /** What rounding may add to a price. */
 double about(double price)
 {

@@ -36,18 +36,11 @@ double frictionUnder(
   {
     least = costmap.frictionAt(costmap.cellAt(pose.x_m, pose.y_m));
   }
-  const Outline outline(vehicle, pose);
-  const geometry::CellRect near = outline.cellsIn(costmap.lattice, costmap.extent);
-  for (geometry::CellIndex c = near.min; c.y < near.max.y; ++c.y)
-  {
-    for (c.x = near.min.x; c.x < near.max.x; ++c.x)
-    {
-      if (outline.containsMiddle(costmap.lattice, c))
-      {
-        least = std::fmin(least, costmap.frictionAt(c));  // NaN where both are
-      }
-    }
-  }
+  Outline(vehicle, pose)
+      .forEachMiddle(
+          costmap.lattice, costmap.extent,
+          [&](geometry::CellIndex c)
+          { least = std::fmin(least, costmap.frictionAt(c)); });  // NaN where both are
   return least;
 }
 }  // namespace traverse::navigation

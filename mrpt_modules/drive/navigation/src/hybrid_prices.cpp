@@ -32,9 +32,7 @@ double HybridSearch::priceOfTurn(int32_t node, bool is_backward) const
 
 double HybridSearch::distanceToGoal_m(const Posed& at) const
 {
-  const double dx = task_.goal.x_m - at.stand.place.x_m;
-  const double dy = task_.goal.y_m - at.stand.place.y_m;
-  return std::sqrt(dx * dx + dy * dy);
+  return distance_m(at.stand.place, task_.goal);
 }
 
 double HybridSearch::leastFrom(const Posed& at)
@@ -51,7 +49,8 @@ double HybridSearch::leastFrom(const Posed& at)
 }
 
 /** kNever where it meets something. */
-double HybridSearch::priceOf(const Posed& from, const Motion& motion, std::span<const Shift> steps)
+double HybridSearch::priceOf(
+    const Posed& from, const Motion& motion, std::span<const Shift> steps) const
 {
   double sum = 0;
   Place last = from.stand.place;

@@ -24,11 +24,29 @@ class Outline
   /** All of a cell, to its corners. */
   bool containsAll(const geometry::Lattice& lattice, geometry::CellIndex c) const;
 
+  /** f(cell) for the cells of the extent whose middle it contains. */
+  template <class F>
+  void forEachMiddle(
+      const geometry::Lattice& lattice, const geometry::CellRect& extent, const F& f) const
+  {
+    const geometry::CellRect near = cellsIn(lattice, extent);
+    for (geometry::CellIndex c = near.min; c.y < near.max.y; ++c.y)
+    {
+      for (c.x = near.min.x; c.x < near.max.x; ++c.x)
+      {
+        if (containsMiddle(lattice, c))
+        {
+          f(c);
+        }
+      }
+    }
+  }
+
+ private:
   /** The cells of the extent that it may contain. */
   geometry::CellRect cellsIn(
       const geometry::Lattice& lattice, const geometry::CellRect& extent) const;
 
- private:
   geometry::Outline corners_;
 };
 }  // namespace traverse::navigation

@@ -2,17 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_ends.h"
 
-#include <cmath>
+#include <traverse/navigation/cell_walk.h>
 
 namespace traverse::navigation
 {
 namespace
 {
-double distance_m(Place a, Place b)
+/** A place that is wanted; a metre further from `to` costs so much. */
+template <class Wanted>
+std::vector<PriceField::Seed> seedsAt(
+    const Terrain& terrain, Place to, double price_of_metre, const Wanted& is_wanted)
 {
-  const double dx = b.x_m - a.x_m;
-  const double dy = b.y_m - a.y_m;
-  return std::sqrt(dx * dx + dy * dy);
+  std::vector<PriceField::Seed> seeds;
+  for (size_t index = 0; index < terrain.size(); ++index)
+  {
+    if (terrain.isOpen(index) && is_wanted(terrain.cell(index)))
+    {
+      seeds.push_back({index, distance_m(terrain.centre(index), to) * price_of_metre});
+    }
+  }
+  return seeds;
 }
 }  // namespace
 
@@ -24,32 +33,18 @@ std::vector<PriceField::Seed> endsOfTheKnown(
     return !costmap.extent.contains({x, y}) ||
            (!costmap.is_unknown_planned && costmap.passageAt({x, y}) == Passage::unknown);
   };
-  const double mean = terrain.mean();
-  std::vector<PriceField::Seed> ends;
-  for (size_t index = 0; index < terrain.size(); ++index)
+  const auto is_end = [&](geometry::CellIndex c)
   {
-    const auto [x, y] = terrain.cell(index);
-    if (terrain.isOpen(index) &&
-        (is_beyond(x - 1, y) || is_beyond(x + 1, y) || is_beyond(x, y - 1) || is_beyond(x, y + 1)))
-    {
-      ends.push_back({index, distance_m(terrain.centre(index), to) * mean});
-    }
-  }
-  return ends;
+    return is_beyond(c.x - 1, c.y) || is_beyond(c.x + 1, c.y) || is_beyond(c.x, c.y - 1) ||
+           is_beyond(c.x, c.y + 1);
+  };
+  return seedsAt(terrain, to, terrain.mean(), is_end);
 }
 
 std::vector<PriceField::Seed> placesNear(
     const Costmap& costmap, const Terrain& terrain, Place to, double nearness)
 {
-  const double of_metre = nearness * terrain.mean();
-  std::vector<PriceField::Seed> places;
-  for (size_t index = 0; index < terrain.size(); ++index)
-  {
-    if (terrain.isOpen(index) && costmap.passageAt(terrain.cell(index)) == Passage::open)
-    {
-      places.push_back({index, distance_m(terrain.centre(index), to) * of_metre});
-    }
-  }
-  return places;
+  const auto is_open = [&](geometry::CellIndex c) { return costmap.passageAt(c) == Passage::open; };
+  return seedsAt(terrain, to, nearness * terrain.mean(), is_open);
 }
 }  // namespace traverse::navigation

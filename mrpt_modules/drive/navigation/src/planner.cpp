@@ -78,7 +78,7 @@ class Planner::Impl
   enum class Aim : uint8_t
   {
     at,    // the goal, or towards it where it is not known
-    near,  // it
+    near,  // as near to the goal as is worth the way
   };
 
   Plan plan(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal, Aim aim)
@@ -115,23 +115,30 @@ class Planner::Impl
     }
     terrain_.openBesideStrips(costmap, attempt_.beside_strip, attempt_.room);
     terrain_.openWayOut(costmap, cellOf(from, terrain_.lattice()), footprint_.radius_m());
-    const bool is_within = terrain_.covers(to) &&
-                           (costmap.is_unknown_planned ||
-                            costmap.passageAt(cellOf(to, terrain_.lattice())) != Passage::unknown);
     Plan plan;
     if (aim == Aim::near)
     {
       plan = planToOneOf(placesNear(costmap, terrain_, to, kNearness), costmap, start);
       plan = goesOn(plan) ? plan : none("it is as near to the goal as it can come");
     }
+    else if (isWithin(costmap, to))
+    {
+      plan = planTo(costmap, start, goal);
+    }
     else
     {
-      plan = is_within ? planTo(costmap, start, goal)
-                       : planToOneOf(endsOfTheKnown(costmap, terrain_, to), costmap, start);
+      plan = planToOneOf(endsOfTheKnown(costmap, terrain_, to), costmap, start);
     }
     plan.way_out_m = wayOut_m(costmap, plan.path);
     plan.heeds_footprint = is_hybrid_;
     return plan;
+  }
+
+  bool isWithin(const Costmap& costmap, Place to) const
+  {
+    return terrain_.covers(to) &&
+           (costmap.is_unknown_planned ||
+            costmap.passageAt(cellOf(to, terrain_.lattice())) != Passage::unknown);
   }
 
   Plan planTo(const Costmap& costmap, const geometry::Pose2& start, const Goal& goal)

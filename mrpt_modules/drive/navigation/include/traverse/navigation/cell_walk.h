@@ -18,6 +18,13 @@ struct Place
   double y_m = 0;
 };
 
+inline double distance_m(Place a, Place b)
+{
+  const double dx = b.x_m - a.x_m;
+  const double dy = b.y_m - a.y_m;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
 /** Column (or row) of a coordinate within kFarthest_m; without rounding to millimetres, so that a
  * place just before a cell's edge is not taken for one behind it. */
 inline int32_t columnOf(double metres, const geometry::Lattice& lattice)

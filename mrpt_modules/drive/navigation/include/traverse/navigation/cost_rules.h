@@ -32,7 +32,7 @@
 //   friction                coefficient             highest accelerations; price + grip_price times
 //                                                   (1 - friction / good_friction), 0 at least
 //   friction_deviation      standard deviation      friction counts for less by friction_sigmas
-//                                                   times it
+//                                                   times it, 0.05 at least
 //
 // NaN says nothing, and so does a code that is not in the table. A slope alone is no obstacle, and
 // that of a single cell is the last resort: it is fitted to few points of one or two rings, and

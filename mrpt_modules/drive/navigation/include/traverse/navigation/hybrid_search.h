@@ -87,7 +87,7 @@ class HybridSearch
   double priceOfTurn(int32_t node, bool is_backward) const;
   double leastFrom(const Posed& at);
   double distanceToGoal_m(const Posed& at) const;
-  double priceOf(const Posed& from, const Motion& motion, std::span<const Shift> steps);
+  double priceOf(const Posed& from, const Motion& motion, std::span<const Shift> steps) const;
   std::optional<double> priceOf(int32_t from, std::span<const Motion> motions);
   Path pathOf(const Ending& ending) const;
 
